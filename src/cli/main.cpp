@@ -1,0 +1,33 @@
+// In: the command line. Out: the exit status: 0 done; 2 wrong usage; 3 bad input; 4 done, but a check of physics failed.
+#include "cli/commands.h"
+
+#include "math/input_error.h"
+#include "run/run.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+
+int main(int argc, char** argv) {
+    CLI::App app("Traces light through glass and mirrors: every ray splits into a tree by Snell and Fresnel.", "sahl");
+    app.set_version_flag("--version", sahl::program_name());
+    app.require_subcommand(1);
+    int status = 0;
+    sahl::add_trace(app, status);
+    sahl::add_check(app, status);
+    sahl::add_explain(app, status);
+    sahl::add_export(app, status);
+    try {
+        app.parse(argc, argv);
+        return status;
+    } catch (CLI::ParseError const& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    } catch (sahl::InputError const& error) {
+        std::cerr << "sahl: " << error.what() << "\n";
+        return 3;
+    } catch (std::exception const& error) {
+        std::cerr << "sahl: internal error: " << error.what() << "\n";
+        return 1;
+    }
+}

@@ -1,0 +1,203 @@
+#include "geometry/bvh.h"
+
+#include "geometry/embree/box_tree.h"
+#include "geometry/placed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace sahl {
+
+struct Bvh::State {
+    std::vector<Placed> objects;
+    std::vector<std::uint32_t> unbounded;
+    std::vector<std::uint32_t> bounded; // by index in the tree
+    std::optional<BoxTree> tree;        // where there are many bounded objects
+    std::vector<std::pair<FaceId, FaceId>> contacts;
+    std::vector<std::vector<FaceId>> partners; // by FaceId
+
+    bool touch(FaceId one, FaceId other) const {
+        auto const& with = partners[one.value];
+        return std::find(with.begin(), with.end(), other) != with.end();
+    }
+};
+
+namespace {
+
+/// Below this many objects asking each is quicker than a hierarchy of boxes (measured: six spheres against Embree).
+constexpr std::size_t few = 6;
+
+bool overlap(Placed const& a, Placed const& b) {
+    if (!a.bounded || !b.bounded)
+        return true;
+    double const margin = 1e-9 * (length(a.box.high - a.box.low) + length(b.box.high - b.box.low)); // far above rounding
+    return glm::all(glm::lessThanEqual(a.box.low, b.box.high + margin)) &&
+           glm::all(glm::lessThanEqual(b.box.low, a.box.high + margin));
+}
+
+std::vector<std::pair<FaceId, FaceId>> find_contacts(std::vector<Placed> const& objects) {
+    std::vector<std::pair<FaceId, FaceId>> contacts;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        for (std::size_t j = i + 1; j < objects.size(); ++j) {
+            Placed const& a = objects[i].bounded ? objects[i] : objects[j]; // the reach is that of a bounded one
+            Placed const& b = objects[i].bounded ? objects[j] : objects[i];
+            if (!a.exact() || !b.exact() || !overlap(a, b))
+                continue;
+            double const reach = a.bounded ? a.extent : 1.0;
+            for (std::uint32_t f = 0; f < a.face_count(); ++f)
+                for (std::uint32_t g = 0; g < b.face_count(); ++g)
+                    if (coincide(a.carrier(f), a.geometry.to_world, b.carrier(g), b.geometry.to_world, reach))
+                        contacts.emplace_back(FaceId{a.geometry.first_face.value + f},
+                                              FaceId{b.geometry.first_face.value + g});
+        }
+    return contacts;
+}
+
+bool misses(Bounds const& box, dvec3 const& origin, dvec3 const& direction, double from, double to) {
+    double const margin = 1e-12 * (length(box.high - box.low) + length(origin)); // far above rounding
+    for (int axis = 0; axis < 3; ++axis) {
+        double const one = (box.low[axis] - margin - origin[axis]) / direction[axis];
+        double const other = (box.high[axis] + margin - origin[axis]) / direction[axis];
+        from = std::fmax(from, std::fmin(one, other)); // 0/0 constrains nothing
+        to = std::fmin(to, std::fmax(one, other));
+    }
+    return from > to;
+}
+
+} // namespace
+
+Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State>()) {
+    std::map<Mesh const*, std::shared_ptr<MeshTree const>> trees; // instances share one
+    std::uint32_t faces = 0;
+    for (PlacedGeometry& geometry : geometries) {
+        std::shared_ptr<MeshTree const> tree;
+        if (auto const* const mesh = std::get_if<std::shared_ptr<Mesh const>>(&geometry.geometry)) {
+            auto& shared = trees[mesh->get()];
+            if (!shared)
+                shared = std::make_shared<MeshTree const>(*mesh);
+            tree = shared;
+        }
+        state_->objects.push_back(place(std::move(geometry), std::move(tree)));
+        Placed const& placed = state_->objects.back();
+        faces = std::max(faces, placed.geometry.first_face.value + placed.face_count());
+        auto& list = placed.bounded ? state_->bounded : state_->unbounded;
+        list.push_back(static_cast<std::uint32_t>(state_->objects.size() - 1));
+    }
+    if (state_->bounded.size() > few) {
+        std::vector<Bounds> boxes;
+        for (std::uint32_t object : state_->bounded)
+            boxes.push_back(state_->objects[object].box);
+        state_->tree.emplace(boxes);
+    }
+    state_->contacts = find_contacts(state_->objects);
+    state_->partners.resize(faces);
+    for (auto const& [one, other] : state_->contacts) {
+        state_->partners[one.value].push_back(other);
+        state_->partners[other.value].push_back(one);
+    }
+}
+
+Bvh::Bvh(Bvh&&) noexcept = default;
+Bvh& Bvh::operator=(Bvh&&) noexcept = default;
+Bvh::~Bvh() = default;
+
+NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
+                  double from) const {
+    State const& state = *state_;
+    InlineVector<Candidate, 16> candidates;
+    double contradiction = INFINITY;
+    double horizon = INFINITY; // nothing beyond it can be at the nearest place
+
+    auto const ask = [&](std::uint32_t index) {
+        Placed const& object = state.objects[index];
+        if (std::find(left.begin(), left.end(), index) != left.end())
+            return;
+        std::optional<Candidate> found;
+        contradiction = std::min(contradiction, object.next(origin, direction, inside, {from, horizon}, found));
+        if (!found)
+            return;
+        found->object = index;
+        if (candidates.full()) { // keep the nearer ones
+            auto* const farthest = std::max_element(candidates.begin(), candidates.end(),
+                                                    [](auto const& a, auto const& b) { return a.t < b.t; });
+            if (found->t >= farthest->t)
+                return;
+            candidates.erase(farthest);
+        }
+        candidates.push_back(*found);
+        horizon = std::min(horizon, found->t + 2.0 * std::min(found->blur, std::abs(found->t) + 1.0));
+    };
+
+    for (std::uint32_t const index : state.unbounded)
+        ask(index);
+    if (state.tree) {
+        state.tree->visit(origin, direction, {from, horizon}, [&](std::uint32_t box, double) {
+            ask(state.bounded[box]);
+            return horizon;
+        });
+    } else {
+        bool const several = state.bounded.size() > 1;
+        for (std::uint32_t const index : state.bounded) {
+            Placed const& object = state.objects[index];
+            if (several && !inside.contains(object.geometry.first_shell) &&
+                misses(object.box, origin, direction, from, horizon))
+                continue;
+            ask(index);
+        }
+    }
+
+    NextHit hit;
+    if (candidates.empty()) {
+        hit.proof = contradiction < INFINITY || !inside.empty() ? Proof::leak : Proof::clean;
+        hit.t = contradiction;
+        return hit;
+    }
+    auto const rank = [&](Candidate const& c) {
+        return std::tuple(!state.objects[c.object].geometry.detector, !c.open, c.object);
+    };
+    Candidate const nearest = *std::min_element(candidates.begin(), candidates.end(), [&](auto const& a, auto const& b) {
+        return std::pair(a.t, rank(a)) < std::pair(b.t, rank(b));
+    });
+    if (contradiction < nearest.t) {
+        hit.proof = Proof::leak;
+        hit.t = contradiction;
+        return hit;
+    }
+    auto const face_of = [&](Candidate const& c) {
+        return FaceId{state.objects[c.object].geometry.first_face.value + c.face};
+    };
+    InlineVector<Candidate, 8> together;
+    for (Candidate const& c : candidates)
+        if (c.object == nearest.object ||
+            (c.t <= nearest.t + nearest.blur + c.blur && state.touch(face_of(c), face_of(nearest)) && !together.full()))
+            together.push_back(c);
+    std::sort(together.begin(), together.end(), [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
+    for (Candidate const& c : together)
+        hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction));
+    hit.t = std::max(nearest.t, from);
+    hit.blur = nearest.blur;
+    return hit;
+}
+
+Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
+    Start start;
+    for (std::uint32_t index = 0; index < state_->objects.size(); ++index) {
+        Placed const& object = state_->objects[index];
+        if (!object.bounded || !misses(object.box, point, direction, -1e-12 * length(point), 1e-12 * length(point)))
+            object.start(point, direction, index, start);
+    }
+    return start;
+}
+
+std::vector<std::pair<FaceId, FaceId>> const& Bvh::contacts() const { return state_->contacts; }
+
+std::pair<dvec3, dvec3> Bvh::bounds() const {
+    Bounds all{dvec3(INFINITY), dvec3(-INFINITY)};
+    for (std::uint32_t const index : state_->bounded)
+        all = {glm::min(all.low, state_->objects[index].box.low), glm::max(all.high, state_->objects[index].box.high)};
+    return {all.low, all.high};
+}
+
+} // namespace sahl

@@ -1,0 +1,93 @@
+// In: exact shapes and meshes with their places in the world, and a ray. Out: the crossings at the next place it meets.
+// Two levels: the world finds objects, each object is met in its own frame, in double.
+#pragma once
+
+#include "geometry/mesh.h"
+#include "geometry/shape.h"
+#include "geometry/shell_set.h"
+#include "math/ids.h"
+#include "math/inline_vector.h"
+#include "math/vec.h"
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sahl {
+
+struct PlacedGeometry {
+    std::variant<Shape, std::shared_ptr<Mesh const>> geometry;
+    Affine to_world;
+    FaceId first_face;        // its faces have consecutive numbers from here
+    ShellId first_shell;      // its shells too; an open shape has none
+    bool detector = false;    // met before whatever else lies at the same place
+    bool interpolate = false; // a mesh's normals are those of its vertices, weighted, not those of its triangles
+};
+
+struct Crossing {
+    double t = 0.0;
+    FaceId face;
+    ShellId shell;               // of a closed geometry
+    bool open = false;
+    bool detector = false;
+    bool enters = false;         // the volume that the shell encloses
+    std::uint32_t object = 0;    // index of the placed geometry
+    std::int32_t primitive = -1; // triangle
+    dvec3 point{0.0};            // world, on the surface
+    dvec3 normal{0.0};           // world, unit, out of the shell's volume; of an open shape: its +z
+    dvec3 facet_normal{0.0};     // the same of the flat triangle, where the normal is interpolated
+};
+
+enum class Proof : std::uint8_t {
+    clean, // what was met fits what the ray was in
+    leak,  // it does not: a shell that the ray is in is never left, or one that it is not in is met from inside
+};
+
+/// Crossings that coincide, in the order in which they count: detectors, other open surfaces, bodies. Empty: nothing is
+/// met. After a leak `t` tells where the contradiction shows.
+struct NextHit {
+    InlineVector<Crossing, 8> at_one_place;
+    double t = 0.0;
+    double blur = 0.0; // how far rounding may shift t
+    Proof proof = Proof::clean;
+};
+
+/// Open geometries that a ray has met at the place it starts from: they are not met again from there.
+using LeftSheets = InlineVector<std::uint32_t, 6>;
+
+class Bvh {
+  public:
+    explicit Bvh(std::vector<PlacedGeometry> geometries);
+    Bvh(Bvh&&) noexcept;
+    Bvh& operator=(Bvh&&) noexcept;
+    ~Bvh();
+
+    /// The next place at t ≥ from.
+    ///   direction   unit
+    ///   inside      the shells that the ray is in
+    NextHit next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
+                 double from = 0.0) const;
+
+    /// The shells that a ray starting there is in: an exact count of crossings. A start on a boundary belongs to the side
+    /// that the ray heads for. `fits` is false where there are more than a ShellSet can hold.
+    struct Start {
+        ShellSet inside;
+        LeftSheets on; // open geometries that the ray starts on
+        bool fits = true;
+    };
+    Start start_at(dvec3 const& point, dvec3 const& direction) const;
+
+    /// Pairs of faces of exact shapes that lie on the same surface.
+    std::vector<std::pair<FaceId, FaceId>> const& contacts() const;
+
+    /// The box of all that is bounded, in the world.
+    std::pair<dvec3, dvec3> bounds() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace sahl

@@ -1,0 +1,111 @@
+#include "geometry/contact.h"
+
+#include "math/overloaded.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sahl {
+
+namespace {
+
+/// Ulps that placing a shape may cost: scaling, three rotations, a group or two and a translation round each coordinate
+/// some ten times, and two shapes are compared.
+constexpr double placement_ulps = 32.0;
+
+double size_of(dmat3 const& m) {
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column)
+        largest = std::max(largest, length(m[column]));
+    return largest;
+}
+
+/// The one scale of a similarity; nothing for a map that shears or stretches by more than rounding.
+std::optional<double> scale_of(dmat3 const& m) {
+    dmat3 const gram = glm::transpose(m) * m;
+    double const squared = gram[0][0];
+    double const tolerance = placement_ulps * std::numeric_limits<double>::epsilon() * squared;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (std::abs(gram[i][j] - (i == j ? squared : 0.0)) > tolerance)
+                return std::nullopt;
+    return std::sqrt(squared);
+}
+
+/// A carrier seen through an affine map; nothing where it is not of the same kind any more.
+std::optional<Carrier> mapped(Carrier const& carrier, Affine const& map) {
+    using Result = std::optional<Carrier>;
+    return std::visit(
+        Overloaded{
+            [&](PlaneCarrier const& plane) {
+                dvec3 const normal = glm::transpose(glm::inverse(map.linear)) * plane.normal;
+                double const unit = 1.0 / length(normal);
+                return Result(PlaneCarrier{unit * normal, unit * (plane.offset + dot(normal, map.offset))});
+            },
+            [&](SphereCarrier const& sphere) {
+                auto const scale = scale_of(map.linear);
+                return scale ? Result(SphereCarrier{map.point(sphere.centre), *scale * sphere.radius}) : std::nullopt;
+            },
+            [&](TubeCarrier const& tube) {
+                auto const scale = scale_of(map.linear);
+                return scale ? Result(TubeCarrier{map.point(tube.point), normalize(map.vector(tube.axis)),
+                                                  *scale * tube.radius})
+                             : std::nullopt;
+            },
+        },
+        carrier);
+}
+
+} // namespace
+
+Carrier carrier_of(Region const& region) {
+    switch (region.kind) {
+    case Region::Kind::half_space:
+        return PlaneCarrier{region.a, region.b};
+    case Region::Kind::tube:
+        return TubeCarrier{dvec3(0.0), dvec3(0.0, 0.0, 1.0), region.b};
+    default:
+        return SphereCarrier{region.a, region.b};
+    }
+}
+
+Carrier sheet_carrier() { return PlaneCarrier{{0.0, 0.0, 1.0}, 0.0}; }
+
+bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other, Affine const& other_to_world,
+              double reach) {
+    if (one.index() != other.index())
+        return false;
+    Affine const to_one = inverse(one_to_world);
+    auto const seen = mapped(other, compose(to_one, other_to_world));
+    if (!seen)
+        return false;
+    // the coordinates that were rounded on the way, in the frame of the first
+    double const coordinates = reach + length(to_one.offset) + size_of(to_one.linear) * length(other_to_world.offset);
+    double const ulp = placement_ulps * std::numeric_limits<double>::epsilon();
+    double const distance = ulp * coordinates;
+    return std::visit(
+        Overloaded{
+            [&](PlaneCarrier const& a) {
+                auto const& b = std::get<PlaneCarrier>(*seen);
+                double const sign = dot(a.normal, b.normal) < 0.0 ? -1.0 : 1.0;
+                return length(a.normal - sign * b.normal) * reach <= distance &&
+                       std::abs(a.offset - sign * b.offset) <= distance;
+            },
+            [&](SphereCarrier const& a) {
+                auto const& b = std::get<SphereCarrier>(*seen);
+                double const allowed = distance + ulp * (a.radius + length(a.centre));
+                return length(a.centre - b.centre) <= allowed && std::abs(a.radius - b.radius) <= allowed;
+            },
+            [&](TubeCarrier const& a) {
+                auto const& b = std::get<TubeCarrier>(*seen);
+                dvec3 const between = b.point - a.point;
+                double const allowed = distance + ulp * (a.radius + length(between));
+                return length(cross(a.axis, b.axis)) * (reach + length(between)) <= allowed &&
+                       length(cross(a.axis, between)) <= allowed && std::abs(a.radius - b.radius) <= allowed;
+            },
+        },
+        one);
+}
+
+} // namespace sahl

@@ -1,0 +1,60 @@
+// In: one geometry, its place, and a ray in the world. Out: its next crossing, met in its own frame.
+#pragma once
+
+#include "geometry/bvh.h"
+#include "geometry/contact.h"
+#include "geometry/mesh_tree.h"
+#include "geometry/sheet.h"
+#include "geometry/solid.h"
+
+#include <optional>
+
+namespace sahl {
+
+/// A crossing before it is known to be the nearest.
+struct Candidate {
+    double t = 0.0;
+    double blur = 0.0; // how far rounding may shift t
+    std::uint32_t object = 0;
+    std::uint32_t face = 0; // local number
+    std::int32_t primitive = -1;
+    dvec2 uv{0.0};
+    bool open = false;
+    bool enters = false;
+};
+
+struct Placed {
+    PlacedGeometry geometry;
+    std::variant<Shape, Solid, std::shared_ptr<MeshTree const>> met_by; // a Shape here is open
+    Affine to_local;
+    bool moved = false;     // to_world is not the identity
+    double rounding = 0.0;  // m, local: at a start near the geometry's own origin; grows with distance
+    double extent = 0.0;    // m, local: how far it reaches from its origin; ∞ for a plane
+    Bounds box;             // world
+    bool bounded = true;
+
+    struct LocalRay {
+        dvec3 origin, direction;
+        double rounding;
+    };
+    LocalRay local(dvec3 const& origin, dvec3 const& direction) const;
+
+    /// Writes the next crossing at t ≥ reach.from, if there is one up to reach.to; returns t from which on what is met
+    /// contradicts `inside` (∞: nothing does).
+    double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
+                std::optional<Candidate>& found) const;
+
+    /// Appends what a ray starting here is in or on.
+    void start(dvec3 const& origin, dvec3 const& direction, std::uint32_t index, Bvh::Start& into) const;
+
+    /// The crossing with its point and normals in the world.
+    Crossing finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction) const;
+
+    std::uint32_t face_count() const;
+    Carrier carrier(std::uint32_t face) const; // of an exact shape
+    bool exact() const { return !std::holds_alternative<std::shared_ptr<MeshTree const>>(met_by); }
+};
+
+Placed place(PlacedGeometry geometry, std::shared_ptr<MeshTree const> tree);
+
+} // namespace sahl

@@ -1,0 +1,161 @@
+#include "geometry/solid.h"
+
+#include "geometry/region.h"
+#include "math/overloaded.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sahl {
+
+namespace {
+
+using Kind = Region::Kind;
+
+Region half_space(dvec3 normal, double offset) { return {Kind::half_space, normal, offset, 0.0}; }
+
+/// The region behind a lens's surface with its vertex at z = vertex; side +1: the glass is at larger z.
+Region sheet(double vertex, double radius, double side, double opposite_vertex) {
+    if (radius == 0.0)
+        return half_space({0.0, 0.0, -side}, -side * vertex);
+    double const centre = vertex + radius;
+    if (radius * side < 0.0)
+        return {Kind::bowl, {0.0, 0.0, centre}, std::abs(radius), side};
+    // the ball alone will do where all of the lens lies on the near side of its centre
+    bool const ball_is_enough = side * (centre - opposite_vertex) >= 0.0;
+    return {ball_is_enough ? Kind::ball : Kind::dome, {0.0, 0.0, centre}, std::abs(radius), side};
+}
+
+double sag(double radius, double h) {
+    return radius == 0.0 ? 0.0 : h * h / (radius * (1.0 + std::sqrt(std::max(0.0, 1.0 - (h / radius) * (h / radius)))));
+}
+
+} // namespace
+
+Solid::Solid(Shape const& shape) {
+    auto const add = [this](Region const& region) { regions_.push_back(region); };
+    std::visit(
+        Overloaded{
+            [&](Sphere const& s) {
+                add({Kind::ball, dvec3(0.0), s.radius, 0.0});
+                high_ = dvec3(s.radius);
+                low_ = -high_;
+            },
+            [&](Box const& s) {
+                high_ = 0.5 * s.size;
+                low_ = -high_;
+                for (int axis = 0; axis < 3; ++axis)
+                    for (double sign : {-1.0, 1.0}) {
+                        dvec3 normal(0.0);
+                        normal[axis] = sign;
+                        add(half_space(normal, high_[axis]));
+                    }
+            },
+            [&](Cylinder const& s) {
+                high_ = {s.radius, s.radius, 0.5 * s.length};
+                low_ = -high_;
+                add({Kind::tube, dvec3(0.0), s.radius, 0.0});
+                add(half_space({0.0, 0.0, -1.0}, high_.z));
+                add(half_space({0.0, 0.0, 1.0}, high_.z));
+            },
+            [&](Lens const& s) {
+                double const h = 0.5 * s.diameter;
+                double const front_rim = sag(s.r1, h), back_rim = s.thickness + sag(s.r2, h);
+                low_ = {-h, -h, std::min(0.0, front_rim)};
+                high_ = {h, h, std::max(s.thickness, back_rim)};
+                add(sheet(0.0, s.r1, 1.0, high_.z));
+                add(sheet(s.thickness, s.r2, -1.0, low_.z));
+                add({Kind::tube, dvec3(0.0), h, 0.0});
+            },
+            [&](Prism const& s) {
+                double const half = 0.5 * s.apex;
+                double const c = std::cos(half), i = std::sin(half);
+                high_ = {s.side * i, 0.5 * s.side * c, 0.5 * s.length};
+                low_ = -high_;
+                double const apex = i * high_.y; // both inclined faces hold the apex edge (0, high.y)
+                add(half_space({-c, i, 0.0}, apex));
+                add(half_space({c, i, 0.0}, apex));
+                add(half_space({0.0, -1.0, 0.0}, high_.y));
+                add(half_space({0.0, 0.0, -1.0}, high_.z));
+                add(half_space({0.0, 0.0, 1.0}, high_.z));
+            },
+            [](auto const&) { assert(false && "an open shape is not a solid"); },
+        },
+        shape);
+    convex_ = std::none_of(regions_.begin(), regions_.end(),
+                           [](Region const& r) { return r.kind == Kind::dome || r.kind == Kind::bowl; });
+}
+
+std::optional<SolidCrossing> Solid::next(dvec3 const& origin, dvec3 const& direction, bool inside, double from,
+                                         double rounding) const {
+    if (!convex_) {
+        // The state just behind `from` follows from the next crossing beyond the rounding: crossings alternate. Where it
+        // is not the ray's own, the crossing within the rounding is still to come.
+        SolidCrossing const* at_start = nullptr;
+        Crossings const crossings = all(origin, direction);
+        for (SolidCrossing const& c : crossings) {
+            double const distance = (c.t - from) * c.slope;
+            if (distance > rounding)
+                return c.enters != inside ? std::optional(c) : at_start ? std::optional(*at_start) : std::nullopt;
+            if (distance >= -rounding && c.enters != inside)
+                at_start = &c;
+        }
+        return inside && at_start ? std::optional(*at_start) : std::nullopt;
+    }
+    SolidCrossing enter{-INFINITY, 1.0, 0, true}, leave{INFINITY, 1.0, 0, false};
+    for (std::uint32_t face = 0; face < regions_.size(); ++face) {
+        Chord const chord = chord_of(regions_[face], origin, direction);
+        if (chord.missed && !inside)
+            return std::nullopt;
+        if (chord.enter > enter.t)
+            enter = {chord.enter, chord.slope, face, true};
+        if (chord.leave < leave.t)
+            leave = {chord.leave, chord.slope, face, false};
+    }
+    if (inside) // only the way out counts: at an edge rounding may put the way in behind it
+        return (leave.t - from) * leave.slope >= -rounding && leave.t < INFINITY ? std::optional(leave) : std::nullopt;
+    bool const ahead = (enter.t - from) * enter.slope >= -rounding && (leave.t - from) * leave.slope > rounding;
+    return enter.t < leave.t && ahead && enter.t > -INFINITY ? std::optional(enter) : std::nullopt;
+}
+
+bool Solid::inside(dvec3 const& origin, dvec3 const& direction, double from, double rounding) const {
+    for (SolidCrossing const& c : all(origin, direction))
+        if ((c.t - from) * c.slope > rounding)
+            return !c.enters;
+    return false;
+}
+
+Solid::Crossings Solid::all(dvec3 const& origin, dvec3 const& direction) const {
+    // a sweep over all regions' borders: inside the solid is inside every region
+    Crossings borders;
+    std::size_t depth = 0;
+    for (std::uint32_t face = 0; face < regions_.size(); ++face) {
+        Chords const chords = chords_of(regions_[face], origin, direction);
+        for (Chord const& chord : chords) {
+            if (chord.enter == -INFINITY)
+                ++depth;
+            else
+                borders.push_back({chord.enter, chord.slope, face, true});
+            if (chord.leave < INFINITY)
+                borders.push_back({chord.leave, chord.slope, face, false});
+        }
+    }
+    std::sort(borders.begin(), borders.end(), [](SolidCrossing const& a, SolidCrossing const& b) {
+        return a.t != b.t ? a.t < b.t : a.enters < b.enters;
+    });
+    Crossings crossings;
+    for (SolidCrossing const& border : borders) {
+        if (border.enters) {
+            if (++depth == regions_.size())
+                crossings.push_back(border);
+        } else if (depth-- == regions_.size()) {
+            crossings.push_back(border);
+        }
+    }
+    return crossings;
+}
+
+dvec3 Solid::normal(std::uint32_t face, dvec3 const& point) const { return normal_of(regions_[face], point); }
+dvec3 Solid::onto(std::uint32_t face, dvec3 const& point) const { return moved_onto(regions_[face], point); }
+
+} // namespace sahl

@@ -1,0 +1,72 @@
+// In: a closed exact shape and a ray in the shape's own frame. Out: where the ray next crosses the shape's surface.
+// A solid is the intersection of regions (half spaces, balls, …), so that its crossings alternate by construction,
+// at edges and corners too: nothing is missed or met twice between two faces.
+#pragma once
+
+#include "geometry/shape.h"
+#include "math/inline_vector.h"
+#include "math/vec.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace sahl {
+
+/// One face's region {x: inside}. `a` is a unit normal (half space) or a centre; `b` an offset or a radius.
+struct Region {
+    enum class Kind : std::uint8_t {
+        half_space, // a·x ≤ b
+        ball,       // |x − a| ≤ b
+        tube,       // x² + y² ≤ b²
+        dome,       // ball ∪ {side (z − a.z) ≥ 0}: behind a convex sheet
+        bowl,       // {side (z − a.z) ≥ 0} \ ball: behind a hollow sheet
+    };
+    Kind kind = Kind::half_space;
+    dvec3 a{0.0};
+    double b = 0.0;
+    double side = 0.0;
+};
+
+/// Where a line crosses the surface. `slope` is |n·d|: the distance to the surface changes by slope per unit of t.
+struct SolidCrossing {
+    double t = 0.0;
+    double slope = 0.0;
+    std::uint32_t face = 0;
+    bool enters = false;
+};
+
+class Solid {
+  public:
+    /// The shape must be closed and without shape_problem().
+    explicit Solid(Shape const& shape);
+
+    /// The next crossing from `from` on for a ray that is inside (or not): a crossing out of (into) the solid.
+    ///   direction   any length; t counts in its units
+    ///   rounding    m: a crossing that lies before `from` by no more than this, measured along the normal, is still to
+    ///               come; one that lies behind it by no more than this may be the one the ray was born on
+    /// Empty: it never crosses; for a ray that is inside, that contradicts the solid's being closed.
+    std::optional<SolidCrossing> next(dvec3 const& origin, dvec3 const& direction, bool inside, double from,
+                                      double rounding) const;
+
+    /// Is the ray inside just after `from`? A start on the surface belongs to the side that the ray heads for.
+    bool inside(dvec3 const& origin, dvec3 const& direction, double from, double rounding) const;
+
+    /// Outward unit normal of a face at a point on it.
+    dvec3 normal(std::uint32_t face, dvec3 const& point) const;
+    /// The point moved along the normal onto the face.
+    dvec3 onto(std::uint32_t face, dvec3 const& point) const;
+
+    dvec3 low() const { return low_; }
+    dvec3 high() const { return high_; }
+    InlineVector<Region, 6> const& regions() const { return regions_; }
+
+  private:
+    using Crossings = InlineVector<SolidCrossing, 12>;
+    Crossings all(dvec3 const& origin, dvec3 const& direction) const;
+
+    InlineVector<Region, 6> regions_; // by face number
+    bool convex_ = true;
+    dvec3 low_{0.0}, high_{0.0};
+};
+
+} // namespace sahl

@@ -1,0 +1,33 @@
+// In: pixels. Out: EXR and PNG files, and pixels again. image/image.cpp is the only door to OpenImageIO.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sahl {
+
+/// Row-major, first row at the top; `channels` floats a pixel.
+struct Image {
+    std::uint32_t width = 0, height = 0, channels = 1;
+    std::vector<float> pixels;
+};
+
+/// Writes to a temporary name and renames. The format is that of the ending: .exr (32-bit float, ZIP) or .png
+/// (8 bits, values clamped to [0, 1] as they stand: encode to sRGB first). `metadata` goes into the header.
+/// The same pixels give the same bytes. Throws InputError where the file cannot be written.
+void write_image(std::filesystem::path const& file, Image const& image,
+                 std::vector<std::pair<std::string, std::string>> const& metadata = {});
+
+/// Reads EXR, PNG, JPEG or HDR, by the ending, never another format; at most 32768 × 32768 and 4 channels.
+Image read_image(std::filesystem::path const& file);
+
+/// A map of a scalar field that a person can look at: viridis (colour-blind safe, monotonic in lightness),
+/// from 0 to `peak`, or logarithmic over `decades` below it, with a colour bar, its ticks and their unit at
+/// the right, a title and the extent of both axes.
+Image false_colour(Image const& field, double peak, double decades, std::string const& title,
+                   std::string const& unit, double width_mm, double height_mm);
+
+} // namespace sahl

@@ -1,0 +1,53 @@
+// In: a wavelength. Out: the refractive index by the formulas that glass makers and glTF use.
+// Wavelengths are those in standard air, indices relative to air; formulas take λ in µm where their makers print them so.
+#pragma once
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sahl {
+
+struct ConstantIndex {
+    double n;
+};
+/// n(λ) = max(n_d + (n_d − 1)/V_d · (523655/λ² − 1.5168), 1), λ in nm         (KHR_materials_dispersion)
+struct AbbeIndex {
+    double nd, vd;
+};
+/// n² = 1 + a + Σ B_i λ²/(λ² − C_i), C_i in µm²                                (makers' data sheets; formula 2)
+struct Sellmeier {
+    std::vector<double> b, c_um2;
+    double a = 0.0;
+};
+/// n = A + B/λ² + C/λ⁴
+struct Cauchy {
+    double a, b_um2, c_um4;
+};
+/// n² = c1 + Σ c_i λ^e_i                                                       (formula 3)
+struct PowerSeries {
+    double c1;
+    std::vector<std::pair<double, double>> terms; // coefficient, exponent
+};
+/// n − 1 = c1 + Σ c_i/(d_i − λ⁻²), absolute; divided by the index of air      (formula 6, gases)
+struct GasIndex {
+    double c1;
+    std::vector<std::pair<double, double>> terms;
+};
+/// The index of vacuum relative to air: 1/n_air(λ).
+struct VacuumIndex {};
+/// Linear in between, constant beyond the ends.
+struct TabulatedIndex {
+    std::vector<std::pair<double, double>> points; // wavelength in m, ascending; n
+};
+
+using Dispersion =
+    std::variant<ConstantIndex, AbbeIndex, Sellmeier, Cauchy, PowerSeries, GasIndex, VacuumIndex, TabulatedIndex>;
+
+/// wavelength > 0 in m. Returns n relative to air; NaN where the formula has no real value.
+double refractive_index(Dispersion const& dispersion, double wavelength);
+
+/// True unless the index is the same at all wavelengths.
+bool disperses(Dispersion const& dispersion);
+
+} // namespace sahl

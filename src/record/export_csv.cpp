@@ -1,0 +1,132 @@
+// In: a ray log. Out: the same rows as text, one line a segment; see export_csv.h.
+#include "record/export_csv.h"
+
+#include "math/input_error.h"
+#include "record/log_columns.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace sahl {
+
+namespace {
+
+constexpr std::uint64_t portion_rows = 16384; // held in memory: 2 MiB of segments, about 5 MB of text
+
+std::string as_field(std::string const& name) {
+    if (name.find_first_of(",\"\r\n") == std::string::npos)
+        return name;
+    std::string text = "\"";
+    for (char const c : name)
+        text.append(c == '"' ? 2 : 1, c);
+    return text + '"';
+}
+
+std::vector<std::string> as_fields(std::vector<std::string> names) {
+    for (std::string& name : names)
+        name = as_field(name);
+    return names;
+}
+
+/// Appends fields to a text; each overload knows one kind of column.
+struct Fields {
+    std::vector<std::string> surfaces, media;
+    std::string text;
+
+    void put(double value) {
+        char digits[32];
+        text.append(digits,
+                    std::to_chars(digits, std::end(digits), value, std::chars_format::general, 17).ptr);
+    }
+    template <class Integer>
+    void put(Integer value) {
+        char digits[24];
+        text.append(digits, std::to_chars(digits, std::end(digits), value).ptr);
+    }
+    void put(Event event) { text += name_of(event); }
+    void put(MediumNumber medium) { text += media[static_cast<std::size_t>(medium)]; }
+    void put(SurfaceNumber surface) {
+        if (auto const number = static_cast<std::int32_t>(surface); number >= 0)
+            text += surfaces[static_cast<std::size_t>(number)];
+    }
+};
+
+void put_row(Fields& fields, WavelengthInNm& nm, Segment const& segment) {
+    visit_columns(nm, [&](ColumnInfo, auto get, auto) {
+        fields.put(get(segment));
+        fields.text += ',';
+    });
+    dvec3 const end = segment.origin + segment.length * segment.direction;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::isfinite(segment.length))
+            fields.put(in_mm(end[axis]));
+        fields.text += axis < 2 ? ',' : '\n';
+    }
+}
+
+/// A file that takes its name when it is complete, and leaves nothing behind otherwise.
+class PendingFile {
+  public:
+    explicit PendingFile(std::filesystem::path target) : target_(std::move(target)), temporary_(target_) {
+        temporary_ += ".tmp";
+        stream_.open(temporary_, std::ios::binary | std::ios::trunc);
+        check("cannot create it");
+    }
+    ~PendingFile() {
+        stream_.close();
+        std::error_code ignored;
+        if (!finished_)
+            std::filesystem::remove(temporary_, ignored);
+    }
+    void write(std::string const& text) {
+        stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
+        check("cannot write rows");
+    }
+    void finish() {
+        stream_.close();
+        check("cannot write rows");
+        std::error_code problem;
+        std::filesystem::rename(temporary_, target_, problem);
+        if (problem)
+            fail("cannot put it in its place (" + problem.message() + ")");
+        finished_ = true;
+    }
+
+  private:
+    void check(std::string const& problem) {
+        if (!stream_)
+            fail(problem + " (" + std::strerror(errno) + ")");
+    }
+    [[noreturn]] void fail(std::string const& problem) {
+        throw InputError(target_.string(), problem,
+                         "see that the folder is there and has space, or choose another one");
+    }
+
+    std::filesystem::path target_, temporary_;
+    std::ofstream stream_;
+    bool finished_ = false;
+};
+
+} // namespace
+
+void export_csv(RayLogReader const& log, std::filesystem::path const& out) {
+    Fields fields{as_fields(log.header().surfaces), as_fields(log.header().media), {}};
+    WavelengthInNm nm;
+    visit_columns(nm, [&](ColumnInfo info, auto, auto) { (fields.text += info.name) += ','; });
+    fields.text += "end_x_mm,end_y_mm,end_z_mm\n";
+    PendingFile file(out);
+    for (std::uint64_t row = 0; row < log.rows(); row += portion_rows) {
+        for (Segment const& segment : log.read(row, portion_rows))
+            put_row(fields, nm, segment);
+        file.write(fields.text);
+        fields.text.clear();
+    }
+    file.write(fields.text);
+    file.finish();
+}
+
+} // namespace sahl

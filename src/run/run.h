@@ -1,0 +1,46 @@
+// In: an experiment file. Out: its results in a folder, and what they amount to.
+#pragma once
+
+#include "run/trace_scene.h"
+#include "scene/read_experiment.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sahl {
+
+/// An experiment file as read, with what was set on top of it.
+struct ExperimentSource {
+    std::filesystem::path file;
+    std::string text;             // as read
+    Value tree;                   // with `set` applied
+    std::vector<std::string> set; // KEY=VALUE, in the order given
+};
+
+/// Reads a file and applies KEY=VALUE settings. Throws InputError.
+ExperimentSource load_experiment(std::filesystem::path const& file, std::vector<std::string> const& set = {});
+
+struct RunOptions {
+    std::filesystem::path out;                        // empty: nothing is written
+    unsigned threads = 0;                             // 0: all there are
+    std::optional<std::filesystem::path> log_file;    // instead of rays.h5 in the folder; its presence turns the log on
+    Progress progress;                                // of each run
+    std::function<void(std::size_t step, std::size_t steps)> sweep_progress;
+};
+
+struct RunResult {
+    Value summary;                     // as in summary.json
+    std::vector<std::string> failures; // of the checks of physics; empty: all passed
+};
+
+/// Traces the experiment, or each step of its sweep, and writes summary.json, rays.h5 if asked for, detectors/,
+/// sweep.csv and report.html. Throws InputError, and then nothing is written.
+RunResult run_experiment(ExperimentSource const& source, RunOptions const& options);
+
+/// "sahl 0.1.0".
+std::string program_name();
+
+} // namespace sahl

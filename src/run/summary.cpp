@@ -1,0 +1,225 @@
+#include "run/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace sahl {
+
+namespace {
+
+Value of(double x) { return {std::isfinite(x) ? decltype(Value::data)(x) : decltype(Value::data)(std::monostate{}), {}}; }
+Value of(std::uint64_t n) { return {static_cast<std::int64_t>(n), {}}; }
+Value of(std::string text) { return {std::move(text), {}}; }
+Value of(bool b) { return {b, {}}; }
+Value of(Table table) { return {std::move(table), {}}; }
+Value of(Array array) { return {std::move(array), {}}; }
+Value of(std::vector<std::string> const& list) {
+    Array array;
+    for (std::string const& text : list)
+        array.push_back(of(text));
+    return of(std::move(array));
+}
+Value of(dvec3 const& v, double scale = 1.0) { return of(Array{of(v.x * scale), of(v.y * scale), of(v.z * scale)}); }
+Value of(dvec2 const& v, double scale = 1.0) { return of(Array{of(v.x * scale), of(v.y * scale)}); }
+Value nothing() { return {}; }
+
+char const* name_of(BranchPolicy policy) {
+    return policy == BranchPolicy::split ? "split" : policy == BranchPolicy::roulette ? "roulette" : "dominant";
+}
+
+char const* name_of(Method method) {
+    constexpr char const* names[] = {"auto", "facet", "interpolated", "quadratic", "fitted", "recognised"};
+    return names[static_cast<std::size_t>(method)];
+}
+
+std::string nanometres(double wavelength) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.10g", wavelength * 1e9);
+    return text;
+}
+
+Value figures(Moments const& moments, SumUnit unit) {
+    auto const spot = spot_of(moments, unit);
+    Table table{{"power_W", of(moments.power.value(unit))}, {"hits", of(moments.hits)}};
+    table.emplace_back("centroid_mm", spot ? of(spot->centroid, 1e3) : nothing());
+    table.emplace_back("rms_radius_mm", spot ? of(spot->rms_radius * 1e3) : nothing());
+    table.emplace_back("mean_direction", spot ? of(spot->mean_direction) : nothing());
+    table.emplace_back("mean_optical_path_mm", spot ? of(spot->mean_optical_path * 1e3) : nothing());
+    return of(std::move(table));
+}
+
+Value detector_figures(DetectorRecord const& record, Scene const& scene, WavelengthTable const& optics,
+                       Experiment const& experiment, Tally const& tally) {
+    SumUnit const unit = tally.unit;
+    Value value = figures(record.all(), unit);
+    Table& table = std::get<Table>(value.data);
+    double const power = record.all().power.value(unit);
+    bool const random = experiment.trace.branch == BranchPolicy::roulette;
+    double const sigma = random ? record.sigma() : 0.0;
+    Value const high = record.spec().absorbs
+                           ? of(power + tally.cut.value(unit) + tally.error.value(unit) + sigma)
+                           : nothing(); // what goes on may come back: only the low end is certain
+    table.emplace_back("power_bound_W", of(Array{of(std::max(0.0, power - sigma)), high}));
+    table.emplace_back("sigma_W", of(sigma));
+    table.emplace_back("peak_W_per_mm2", of(record.peak() * 1e-6));
+    Table by_wavelength, by_source;
+    for (std::size_t i = 0; i < record.by_wavelength().size(); ++i)
+        by_wavelength.emplace_back(nanometres(optics.wavelengths()[i]), figures(record.by_wavelength()[i], unit));
+    for (std::size_t i = 0; i < record.by_source().size(); ++i)
+        by_source.emplace_back(scene.sources[i].name, figures(record.by_source()[i], unit));
+    table.emplace_back("by_wavelength", of(std::move(by_wavelength)));
+    table.emplace_back("by_source", of(std::move(by_source)));
+    return value;
+}
+
+Value absorbed(Scene const& scene, Tally const& tally) {
+    Table table;
+    auto const entry = [&](std::string const& name, ExactSum const& bulk, std::size_t body) {
+        Table faces;
+        for (std::size_t i = 0; i < scene.faces.size(); ++i)
+            if (scene.faces[i].body.value == body && tally.absorbed_at_face[i] != ExactSum{})
+                faces.emplace_back(scene.faces[i].name, of(tally.absorbed_at_face[i].value(tally.unit)));
+        table.emplace_back(name, of(Table{{"bulk", of(bulk.value(tally.unit))}, {"surface", of(std::move(faces))}}));
+    };
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+        entry(scene.bodies[body].name, tally.absorbed_in_body[body], body);
+    if (tally.absorbed_in_body.back() != ExactSum{})
+        entry("surroundings", tally.absorbed_in_body.back(), scene.bodies.size());
+    return of(std::move(table));
+}
+
+Value escaped(WavelengthTable const& optics, Tally const& tally) {
+    Table table;
+    for (std::size_t i = 0; i < optics.wavelengths().size(); ++i) {
+        auto const& sums = tally.escaped_by_wavelength[i];
+        dvec3 const sum(sums[1].value(tally.unit), sums[2].value(tally.unit), sums[3].value(tally.unit));
+        double const size = length(sum);
+        table.emplace_back(nanometres(optics.wavelengths()[i]), size > 0.0 ? of(sum / size) : nothing());
+    }
+    return of(std::move(table));
+}
+
+/// An error bound belongs to a mesh; exact shapes are met to rounding.
+Value objects(Scene const& scene) {
+    Table table;
+    for (Body const& body : scene.bodies) {
+        if (body.detector)
+            continue;
+        Table entry{{"method", of(std::string(body.mesh ? name_of(body.method) : "exact"))},
+                    {"error_bound_rad", body.mesh ? nothing() : of(0.0)},
+                    {"medium", body.open ? nothing() : of(scene.media[body.medium.value].name)}};
+        table.emplace_back(body.name, of(std::move(entry)));
+    }
+    return of(std::move(table));
+}
+
+Value models(Scene const& scene) {
+    Table table;
+    for (Body const& body : scene.bodies)
+        if (body.mesh)
+            table.emplace_back(body.name, of(Table{{"triangles", of(std::uint64_t{body.mesh->soup.triangles.size()})},
+                                                   {"shells", of(std::uint64_t{body.mesh->shells.size()})},
+                                                   {"closed", of(body.mesh->closed())},
+                                                   {"boundary_edges", of(body.mesh->boundary_edges)},
+                                                   {"non_manifold_edges", of(body.mesh->non_manifold_edges)},
+                                                   {"degenerate_triangles", of(body.mesh->degenerate_triangles)},
+                                                   {"flipped_triangles", of(body.mesh->flipped_triangles)}}));
+    return of(std::move(table));
+}
+
+Value lost_rays(TraceOutcome const& outcome) {
+    Array array;
+    for (LostRay const& ray : outcome.lost)
+        array.push_back(of(Table{{"ray", of(ray.ray)},
+                                 {"event", of(std::string(name_of(ray.event)))},
+                                 {"at_mm", of(ray.at, 1e3)},
+                                 {"power_W", of(ray.power)}}));
+    return of(std::move(array));
+}
+
+} // namespace
+
+std::vector<std::string> failures_of(Experiment const& experiment, TraceOutcome const& outcome) {
+    std::vector<std::string> failures;
+    char text[200];
+    Tally const& tally = outcome.tally;
+    double const emitted = tally.emitted.value(tally.unit), remainder = tally.remainder();
+    if (std::abs(remainder) > experiment.limits.ledger * emitted) {
+        std::snprintf(text, sizeof text, "the ledger does not close: %.3g of the emitted power is missing (limit %.3g)",
+                      remainder / emitted, experiment.limits.ledger);
+        failures.emplace_back(text);
+    }
+    auto const lost = tally.ended[static_cast<std::size_t>(Event::leak)] + tally.ended[static_cast<std::size_t>(Event::invalid)];
+    double const share = static_cast<double>(lost) / static_cast<double>(std::max<std::uint64_t>(1, tally.segments()));
+    if (share > experiment.limits.leak) {
+        std::snprintf(text, sizeof text, "%llu of %llu segments leaked or were invalid (limit %.3g of them): see lost_rays",
+                      static_cast<unsigned long long>(lost), static_cast<unsigned long long>(tally.segments()),
+                      experiment.limits.leak);
+        failures.emplace_back(text);
+    }
+    return failures;
+}
+
+Value options_of(Experiment const& experiment, RunFacts const& facts) {
+    TraceOptions const& trace = experiment.trace;
+    return of(Table{{"max_depth", of(std::uint64_t{trace.max_depth})},
+                    {"min_power", of(trace.min_power)},
+                    {"branch", of(std::string(name_of(trace.branch)))},
+                    {"split_until", of(trace.split_until)},
+                    {"method", of(std::string(name_of(trace.method)))},
+                    {"tolerance_rad", of(trace.tolerance)},
+                    {"tolerance_power", of(trace.tolerance_power)},
+                    {"log", of(experiment.log.on)},
+                    {"log_every", of(experiment.log.every)},
+                    {"limit_leak", of(experiment.limits.leak)},
+                    {"limit_ledger", of(experiment.limits.ledger)},
+                    {"set", of(facts.set)}});
+}
+
+Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTable const& optics,
+                 TraceOutcome const& outcome, RunFacts const& facts) {
+    Tally const& tally = outcome.tally;
+    SumUnit const unit = tally.unit;
+    std::uint64_t const segments = tally.segments();
+    Table events;
+    for (std::size_t i = 1; i < event_names.size(); ++i)
+        if (static_cast<Event>(i) != Event::emitted)
+            events.emplace_back(std::string(event_names[i]), of(tally.ended[i]));
+    events.emplace_back("recovered", of(tally.recovered));
+    Table detectors;
+    for (DetectorRecord const& record : outcome.detectors)
+        detectors.emplace_back(record.spec().name, detector_figures(record, scene, optics, experiment, tally));
+    std::vector<std::string> const failures = failures_of(experiment, outcome);
+    return of(Table{
+        {"title", of(experiment.title)},
+        {"program", of(facts.program)},
+        {"experiment_sha256", of(facts.experiment_sha256)},
+        {"seed", of(experiment.trace.seed)},
+        {"options", options_of(experiment, facts)},
+        {"passed", of(failures.empty())},
+        {"failures", of(failures)},
+        {"rays", of(outcome.rays)},
+        {"segments", of(segments)},
+        {"seconds", of(outcome.seconds)},
+        {"segments_per_second", of(static_cast<double>(segments) / std::max(outcome.seconds, 1e-9))},
+        {"threads", of(std::uint64_t{outcome.threads})},
+        {"energy_W", of(Table{{"emitted", of(tally.emitted.value(unit))},
+                              {"detected", of(tally.detected.value(unit))},
+                              {"absorbed", of(tally.absorbed.value(unit))},
+                              {"escaped", of(tally.escaped.value(unit))},
+                              {"cut", of(tally.cut.value(unit))},
+                              {"error", of(tally.error.value(unit))},
+                              {"remainder", of(tally.remainder())}})},
+        {"events", of(std::move(events))},
+        {"lost_rays", lost_rays(outcome)},
+        {"absorbed_W", absorbed(scene, tally)},
+        {"escaped_direction", escaped(optics, tally)},
+        {"detectors", of(std::move(detectors))},
+        {"objects", objects(scene)},
+        {"models", models(scene)},
+        {"warnings", of(scene.warnings)},
+    });
+}
+
+} // namespace sahl

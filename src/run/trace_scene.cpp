@@ -1,0 +1,75 @@
+#include "run/trace_scene.h"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace sahl {
+
+namespace {
+
+constexpr std::size_t lost_rays_named = 20; // in the summary; all are counted
+
+} // namespace
+
+SumUnit power_unit(Emission const& emission) { return SumUnit::for_total(emission.power()); }
+
+TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
+                         TraceOptions const& options, unsigned threads, RayLogWriter* log, std::uint64_t log_every,
+                         Progress const& progress) {
+    auto const start = std::chrono::steady_clock::now();
+    SumUnit const unit = power_unit(emission);
+    TraceContext const context{scene, optics, emission, options, unit, log ? log_every : 0};
+    TraceOutcome outcome{Tally(unit, scene.bodies.size(), scene.faces.size(), optics.wavelengths().size()),
+                         {},
+                         {},
+                         emission.rays(),
+                         0.0,
+                         threads ? threads : static_cast<unsigned>(tbb::this_task_arena::max_concurrency())};
+    for (DetectorSpec const& detector : scene.detectors)
+        outcome.detectors.emplace_back(detector, unit, optics.wavelengths().size(), scene.sources.size());
+
+    std::uint64_t const batches = (emission.rays() + rays_per_batch - 1) / rays_per_batch;
+    std::uint64_t next_batch = 0, rays_done = 0;
+    tbb::global_control const limit(tbb::global_control::max_allowed_parallelism, outcome.threads);
+    tbb::task_arena arena(static_cast<int>(outcome.threads));
+    auto const number = [&](tbb::flow_control& control) {
+        if (next_batch == batches)
+            control.stop();
+        return next_batch++;
+    };
+    auto const trace = [&](std::uint64_t batch) {
+        std::uint64_t const first = batch * rays_per_batch;
+        return std::make_shared<BatchResult>(
+            trace_batch(context, first, std::min(rays_per_batch, emission.rays() - first)));
+    };
+    auto const record = [&](std::shared_ptr<BatchResult> const& result) { // in the order of batches
+        outcome.tally.add(result->tally);
+        for (DetectorHit const& hit : result->hits)
+            outcome.detectors[hit.detector.value].add(hit);
+        for (LostRay const& ray : result->lost)
+            if (outcome.lost.size() < lost_rays_named)
+                outcome.lost.push_back(ray);
+        if (log)
+            log->append(result->log.segments);
+        rays_done = std::min(rays_done + rays_per_batch, emission.rays());
+        if (progress)
+            progress(rays_done, emission.rays());
+    };
+    arena.execute([&] {
+        using tbb::filter_mode;
+        tbb::parallel_pipeline(
+            std::size_t{4} * outcome.threads,
+            tbb::make_filter<void, std::uint64_t>(filter_mode::serial_in_order, number) &
+                tbb::make_filter<std::uint64_t, std::shared_ptr<BatchResult>>(filter_mode::parallel, trace) &
+                tbb::make_filter<std::shared_ptr<BatchResult>, void>(filter_mode::serial_in_order, record));
+    });
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+} // namespace sahl

@@ -1,0 +1,35 @@
+// In: a scene and its options. Out: all of its rays traced, counted and recorded, on as many threads as are asked for.
+// run/trace_scene.cpp is the door to TBB.
+#pragma once
+
+#include "record/detector.h"
+#include "record/ray_log.h"
+#include "trace/tracer.h"
+
+#include <functional>
+#include <vector>
+
+namespace sahl {
+
+struct TraceOutcome {
+    Tally tally;
+    std::vector<DetectorRecord> detectors;
+    std::vector<LostRay> lost; // the first few
+    std::uint64_t rays = 0;
+    double seconds = 0.0;
+    unsigned threads = 1;
+};
+
+/// Called now and then from one thread with the number of rays done.
+using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+/// The same result, bit for bit, for any number of threads (0: all there are).
+///   log   where segments go, or nullptr
+TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
+                         TraceOptions const& options, unsigned threads, RayLogWriter* log, std::uint64_t log_every,
+                         Progress const& progress);
+
+/// The unit in which the powers of this emission are summed.
+SumUnit power_unit(Emission const& emission);
+
+} // namespace sahl

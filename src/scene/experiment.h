@@ -1,0 +1,151 @@
+// In: nothing. Out: an experiment as its file describes it, in SI units, with every name resolved to an id.
+// The scene that is traced is built from it (scene/scene.h); how it is read is scene/read_experiment.h.
+#pragma once
+
+#include "geometry/shape.h"
+#include "materials/medium.h"
+#include "materials/surface.h"
+#include "math/ids.h"
+#include "math/vec.h"
+#include "scene/value.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sahl {
+
+/// What a model file's material is mapped to: a medium, or a surface, or both.
+struct MaterialMapping {
+    std::string material;
+    std::optional<MediumId> medium;
+    std::optional<SurfaceId> surface;
+    Place place;
+};
+
+struct ModelReference {
+    std::filesystem::path path; // as found on disk
+    double metres_per_unit = 1.0;
+    std::vector<std::string> parts; // empty or "*": all
+    std::vector<MaterialMapping> materials;
+    Place place;
+};
+
+struct ObjectSpec {
+    std::string name;
+    std::variant<Shape, ModelReference> what;
+    Affine to_world;
+    std::optional<MediumId> medium;    // a closed shape needs one unless all its faces have a surface (then it is opaque)
+    std::optional<SurfaceId> surface;  // for all faces that `faces` does not name
+    std::vector<std::pair<std::string, SurfaceId>> faces;
+    int priority = 0;
+    Place place;
+};
+
+enum class Pattern { grid, hexagonal, random, sobol, fan, ring };
+
+struct Beam {
+    dvec3 from, toward, up;              // toward, up: unit, orthogonal; `up` is the second axis of a size, and of a fan
+    double radius = 0.0;                 // m; 0: a rectangle of `size`
+    dvec2 size{0.0};                     // m
+    std::optional<double> gaussian_radius; // m, where the irradiance has fallen to 1/e²
+    Pattern pattern = Pattern::grid;
+    std::uint64_t rays = 1;              // at least this many per wavelength
+};
+
+struct PointEmitter { // uniform in solid angle within the cone
+    dvec3 at, toward, up;
+    double half_angle = 0.0; // rad, (0, π]
+    std::uint64_t rays = 1;
+};
+
+struct LambertianEmitter { // a flat rectangle, cosine law about `toward`
+    dvec3 at, toward, up;
+    dvec2 size{0.0};
+    std::uint64_t rays = 1;
+};
+
+struct RaySpec {
+    dvec3 origin, direction; // direction: unit
+    double weight = 1.0;     // share of the source's power is weight / sum of weights
+};
+
+struct ExplicitRays {
+    std::vector<RaySpec> rays;
+};
+
+struct SourceSpec {
+    std::string name;
+    std::variant<Beam, PointEmitter, LambertianEmitter, ExplicitRays> emitter;
+    std::vector<std::pair<double, double>> wavelengths; // m in standard air, weight > 0
+    double power = 1.0;                                 // W, of the whole source
+    bool polarised = false;                             // the file gives a Stokes vector
+    Place place;
+};
+
+struct DetectorSpec {
+    std::string name;
+    Affine to_world;            // of the rectangle z = 0, x along its width, y along `up`, z = `facing`
+    dvec2 size{0.0};            // m
+    std::uint32_t columns = 1;  // pixels along x
+    std::uint32_t rows = 1;     // pixels along y
+    bool absorbs = true;
+    bool back = false;          // counts light that comes from behind too
+    Place place;
+};
+
+enum class BranchPolicy { split, roulette, dominant };
+enum class Method { automatic, facet, interpolated, quadratic, fitted, recognised };
+enum class Polarised { automatic, yes, no };
+
+struct TraceOptions {
+    std::uint32_t max_depth = 64; // [0, 65535] interactions
+    double min_power = 1e-6;      // share of the source ray's power
+    BranchPolicy branch = BranchPolicy::split;
+    double split_until = 0.1;     // with roulette
+    Method method = Method::automatic;
+    double tolerance = 1e-6;       // rad
+    double tolerance_power = 1e-3; // share
+    Polarised polarised = Polarised::automatic;
+    std::uint64_t seed = 1;
+};
+
+struct LogOptions {
+    bool on = false;
+    std::uint64_t every = 1;
+    std::string where;
+    bool compress = false;
+};
+
+struct Limits {
+    double leak = 1e-6;
+    double ledger = 1e-12;
+};
+
+struct SweepAxis {
+    std::string key; // "object.prism.turn_deg[2]"
+    std::vector<double> values;
+    Place place;
+};
+
+struct Experiment {
+    std::string title;
+    std::filesystem::path file;
+    std::vector<Medium> media; // by MediumId; only those that something refers to
+    MediumId surroundings;
+    std::vector<Surface> surfaces; // by SurfaceId
+    std::vector<ObjectSpec> objects;
+    std::vector<SourceSpec> sources;
+    std::vector<DetectorSpec> detectors;
+    TraceOptions trace;
+    LogOptions log;
+    Limits limits;
+    std::vector<SweepAxis> sweep;
+    std::vector<std::string> warnings; // what a user should know, e.g. a formula used outside its range
+};
+
+} // namespace sahl

@@ -1,0 +1,124 @@
+#include "scene/interface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace sahl {
+
+namespace {
+
+dvec3 facing(dvec3 const& normal, dvec3 const& reference, dvec3 const& direction) {
+    return dot(reference, direction) > 0.0 ? -normal : normal;
+}
+
+/// Fills in where the interface is and how it faces, from the crossing that counts.
+void take_place(Interface& found, NextHit const& hit, Crossing const& crossing, dvec3 const& direction) {
+    found.t = hit.t;
+    found.point = crossing.point;
+    found.normal = facing(crossing.normal, crossing.facet_normal, direction);
+    found.facet_normal = facing(crossing.facet_normal, crossing.facet_normal, direction);
+    found.face = crossing.face;
+    found.primitive = crossing.primitive;
+    found.against_facing = crossing.enters;
+}
+
+/// Of the bodies whose surfaces coincide here, the face whose surface counts: that of the body of higher priority, else
+/// of the only one that has a surface.
+Crossing const& deciding(Scene const& scene, NextHit const& hit) {
+    Crossing const* best = nullptr;
+    auto const key = [&](Crossing const& c) {
+        Face const& face = scene.faces[c.face.value];
+        return std::tuple(face.surface.has_value(), scene.bodies[face.body.value].priority, face.body);
+    };
+    for (Crossing const& c : hit.at_one_place)
+        if (!c.open && (!best || key(c) > key(*best)))
+            best = &c;
+    return best ? *best : hit.at_one_place.front();
+}
+
+} // namespace
+
+std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside) {
+    std::optional<ObjectId> best;
+    for (ShellId const id : inside) {
+        Shell const& shell = scene.shells[id.value];
+        if (!shell.only) {
+            int winding = 0;
+            for (ShellId const other : inside)
+                if (scene.shells[other.value].body == shell.body)
+                    winding += scene.shells[other.value].sign;
+            if (winding < 1)
+                continue;
+        }
+        auto const rank = [&](ObjectId body) { return std::pair(scene.bodies[body.value].priority, body); };
+        if (!best || rank(shell.body) > rank(*best))
+            best = shell.body;
+    }
+    return best;
+}
+
+MediumId medium_at(Scene const& scene, ShellSet const& inside) {
+    auto const body = body_at(scene, inside);
+    return body ? scene.bodies[body->value].medium : scene.surroundings;
+}
+
+Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
+                       MediumId medium, LeftSheets const& left, Interface& found) {
+    found.inside_after = inside;
+    double from = 0.0;
+    for (;;) {
+        NextHit const hit = scene.bvh->next(origin, direction, found.inside_after, left, from);
+        found.t = hit.t;
+        if (hit.proof == Proof::leak)
+            return Meeting::leak;
+        if (hit.at_one_place.empty())
+            return Meeting::nothing;
+        bool const still_there = hit.t <= hit.blur;
+        found.left.clear();
+        if (still_there)
+            found.left = left;
+        for (Crossing const& c : hit.at_one_place)
+            if (c.open && !found.left.full())
+                found.left.push_back(c.object);
+
+        found.inside_before = found.inside_after;
+        Crossing const& first = hit.at_one_place.front();
+        if (first.detector) { // nothing is crossed yet: bodies and mirrors at the same place are met next
+            take_place(found, hit, first, direction);
+            found.left = still_there ? left : LeftSheets{};
+            if (!found.left.full())
+                found.left.push_back(first.object);
+            found.detector = scene.bodies[first.object].detector;
+            found.surface.reset();
+            found.medium_after = medium;
+            return Meeting::interface;
+        }
+        auto const body_before = body_at(scene, found.inside_after);
+        for (Crossing const& c : hit.at_one_place)
+            if (!c.open) {
+                if (!c.enters)
+                    found.inside_after.erase(c.shell);
+                else if (!found.inside_after.insert(c.shell))
+                    return Meeting::too_deep;
+            }
+        found.medium_after = medium_at(scene, found.inside_after);
+        found.detector.reset();
+        if (first.open) { // it acts in place of the boundary that it lies on
+            take_place(found, hit, first, direction);
+            found.surface = scene.faces[first.face.value].surface;
+            return Meeting::interface;
+        }
+        auto const body_after = body_at(scene, found.inside_after);
+        Crossing const& crossing = deciding(scene, hit);
+        found.surface = scene.faces[crossing.face.value].surface;
+        bool const same_body = body_before == body_after; // it happens under a body of higher priority
+        if (!same_body && (found.surface || found.medium_after != medium)) {
+            take_place(found, hit, crossing, direction);
+            return Meeting::interface;
+        }
+        from = hit.t;
+    }
+}
+
+} // namespace sahl

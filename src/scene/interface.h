@@ -1,0 +1,31 @@
+// In: the crossings at one place. Out: the one interface they form, from a medium before to a medium after.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace sahl {
+
+struct Interface {
+    dvec3 point{0.0};
+    dvec3 normal{0.0};       // unit, facing: its dot product with the direction is ≤ 0 (unless interpolated)
+    dvec3 facet_normal{0.0}; // the same of the flat triangle
+    double t = 0.0;
+    FaceId face;
+    std::int32_t primitive = -1;
+    std::optional<SurfaceId> surface;   // none: a clean boundary
+    std::optional<DetectorId> detector; // it is one
+    bool against_facing = false;        // the light comes against the open surface's +z
+    MediumId medium_after;
+    ShellSet inside_before, inside_after; // on either side of it
+    LeftSheets left; // open surfaces at this place: not to be met again from here
+};
+
+enum class Meeting : std::uint8_t { interface, nothing, leak, too_deep };
+
+/// The next place where something happens: crossings between equal media without a surface are passed in silence.
+///   inside   the shells that the ray is in; medium: what it runs through
+/// `found` is written if the answer is `interface`, its t also after a leak.
+Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
+                       MediumId medium, LeftSheets const& left, Interface& found);
+
+} // namespace sahl

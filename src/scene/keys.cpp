@@ -1,0 +1,137 @@
+// In: nothing. Out: the keys of the experiment as a whole, of its options, of groups, sweeps and pictures.
+#include "scene/keys.h"
+
+namespace sahl {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range above_zero{0.0, infinity, true};
+constexpr Range not_negative{0.0};
+constexpr Range share{0.0, 1.0};
+constexpr double largest_seed = 9007199254740992.0; // 2⁵³: up to here every whole number is a double
+
+constexpr Key experiment_keys[] = {
+    {"title", Kind::text, {}, "what the experiment is called; absent: the name of the file"},
+    {"surroundings", Kind::text, "air", "the medium outside all bodies"},
+    {"medium", Kind::table, {}, "media by name; each is a table [medium.NAME]"},
+    {"surface", Kind::table, {}, "surfaces by name; each is a table [surface.NAME]"},
+    {"trace", Kind::table, {}, "how rays are followed"},
+    {"log", Kind::table, {}, "what of the rays is written"},
+    {"limits", Kind::table, {}, "when a run counts as failed"},
+    {"group", Kind::tables, {}, "what moves as one"},
+    {"object", Kind::tables, {}, "bodies and open surfaces"},
+    {"source", Kind::tables, {}, "where light comes from; at least one"},
+    {"detector", Kind::tables, {}, "where light is counted"},
+    {"sweep", Kind::table, {}, "a run for each value of one key"},
+    {"camera", Kind::table, {}, "for pictures"},
+    {"light", Kind::tables, {}, "for pictures"},
+    {"background", Kind::table, {}, "for pictures"},
+};
+
+constexpr Key trace_keys[] = {
+    {"max_depth",
+     Kind::integer,
+     64.0,
+     "interactions along one path; a guard, not the main cut-off",
+     {0.0, 65535.0}},
+    {"min_power", Kind::number, 1e-6,
+     "a branch below this share of its source ray's power is cut, and counted", share},
+    {"branch", Kind::text, "split",
+     "\"split\", \"roulette\" (unbiased) or \"dominant\" (strongest branch only)"},
+    {"split_until", Kind::number, 0.1,
+     "with roulette: split while the branch's share is above this, or depth < 2", share},
+    {"method", Kind::text, "auto", "how meshes are traced: \"auto\", \"facet\" or \"interpolated\""},
+    {"tolerance_rad", Kind::number, 1e-6, "with auto: the direction error that is borne", above_zero},
+    {"tolerance_power", Kind::number, 1e-3, "with auto: the share of a detector's power that is borne",
+     above_zero},
+    {"polarised", Kind::any, "auto", "\"auto\" or false; true is refused until polarised tracing exists"},
+    {"seed", Kind::integer, 1.0, "of all random numbers", {0.0, largest_seed}},
+    {"log", Kind::truth, false, "true writes rays.h5"},
+};
+
+constexpr Key log_keys[] = {
+    {"every", Kind::integer, 1.0, "each N-th ray is written", {1.0, largest_seed}},
+    {"where", Kind::text, "", "a filter; none but the empty one in this version"},
+    {"compress", Kind::truth, false, "true is refused in this version"},
+};
+
+constexpr Key limits_keys[] = {
+    {"leak", Kind::number, 1e-6, "leaks as a share of the events; above it the exit status is 4",
+     not_negative},
+    {"ledger", Kind::number, 1e-12, "remainder as a share of what was emitted; above it the exit status is 4",
+     not_negative},
+};
+
+constexpr Key group_keys[] = {
+    {"name", Kind::text, Required{}, "unique among groups; without dots"},
+    {"group", Kind::text, {}, "the group this one belongs to; its motion comes after"},
+    {"scale", Kind::any, 1.0,
+     "a number, or one for each axis; not 0. Groups of sources and detectors may not be scaled"},
+    {"turn_deg", Kind::three, Repeated{3, 0.0}, "then about x, then about y, then about z"},
+    {"move_mm", Kind::three, Repeated{3, 0.0}, "then moved"},
+    {"matrix", Kind::sixteen, {}, "instead of the three: column by column, lengths in mm"},
+};
+
+constexpr Key sweep_keys[] = {
+    {"from", Kind::number, {}, "the first value"},
+    {"to", Kind::number, {}, "the last value"},
+    {"steps", Kind::integer, {}, "how many values, both ends counted", {1.0, 100000.0}},
+    {"values", Kind::numbers, {}, "instead of the three: the values themselves; a plain list does too"},
+};
+
+constexpr Key camera_keys[] = {
+    {"at_mm", Kind::three, Required{}, "where it stands"},
+    {"look_at_mm", Kind::three, Required{}, "what is in the middle of the picture"},
+    {"up", Kind::three, {}, "what is up in the picture"},
+    {"fov_deg", Kind::number, 35.0, "the angle of view from bottom to top", {0.0, 179.0, true}},
+    {"resolution", Kind::two, {}, "pixels across and down", {1.0, 65536.0}},
+    {"samples", Kind::integer, 16.0, "rays for each pixel", {1.0, 1e9}},
+};
+
+constexpr Key light_keys[] = {
+    {"point", Kind::table, Required{}, "a lamp at a point"},
+    {"intensity", Kind::three, Repeated{3, 1.0}, "red, green, blue", not_negative},
+};
+
+constexpr Key light_point_keys[] = {
+    {"at_mm", Kind::three, Required{}, "where it is"},
+};
+
+constexpr Key background_keys[] = {
+    {"color", Kind::three, {}, "red, green, blue", not_negative},
+    {"image", Kind::text, {}, "or a picture all around, relative to the experiment's file"},
+};
+
+} // namespace
+
+KeyTable const keys::experiment{"the experiment", "The top of the file.", experiment_keys};
+KeyTable const keys::trace{"[trace]", "How rays are followed.", trace_keys};
+KeyTable const keys::log{"[log]", "Thins out the log that `log = true` in [trace] asks for.", log_keys};
+KeyTable const keys::limits{"[limits]", "When a check of the physics fails.", limits_keys};
+KeyTable const keys::group{
+    "[[group]]",
+    "Moves its objects, sources, detectors and groups as one: first their own motion, then the group's.",
+    group_keys};
+KeyTable const keys::sweep{
+    "[sweep]", "One entry, `\"object.NAME.key[i]\" = {from = …, to = …, steps = …}`: a run for each value.",
+    sweep_keys};
+KeyTable const keys::camera{"[camera]", "For pictures; it has no part in tracing.", camera_keys};
+KeyTable const keys::light{"[[light]]", "For pictures; it has no part in tracing.", light_keys};
+KeyTable const keys::light_point{"light point", "A lamp of a picture.", light_point_keys};
+KeyTable const keys::background{"[background]", "For pictures: what is seen where nothing is.",
+                                background_keys};
+
+std::span<KeyTable const* const> key_tables() {
+    static constexpr KeyTable const* all[] = {
+        &keys::experiment, &keys::medium,       &keys::sellmeier, &keys::cauchy,  &keys::surface,
+        &keys::paint,      &keys::trace,        &keys::log,       &keys::limits,  &keys::group,
+        &keys::object,     &keys::material,     &keys::shape,     &keys::sphere,  &keys::box,
+        &keys::cylinder,   &keys::lens,         &keys::prism,     &keys::plane,   &keys::rectangle,
+        &keys::disk,       &keys::source,       &keys::beam,      &keys::profile, &keys::point,
+        &keys::lambertian, &keys::polarisation, &keys::detector,  &keys::sweep,   &keys::camera,
+        &keys::light,      &keys::light_point,  &keys::background};
+    return all;
+}
+
+} // namespace sahl

@@ -1,0 +1,101 @@
+// In: nothing. Out: the keys of sources and detectors.
+#include "scene/keys.h"
+
+namespace sahl {
+
+namespace {
+
+constexpr Range above_zero{0.0, std::numeric_limits<double>::infinity(), true};
+constexpr Range not_negative{0.0};
+constexpr Range ray_count{1.0, 1e12}; // a year of tracing at some 10⁵ rays a second
+
+constexpr Key source_keys[] = {
+    {"name", Kind::text, Required{}, "unique among objects, sources and detectors; without dots"},
+    {"group", Kind::text, {}, "the group that moves it; it may turn and move, not scale"},
+    {"beam", Kind::table, {}, "parallel light"},
+    {"point", Kind::table, {}, "light from a point into a cone, uniform in solid angle"},
+    {"lambertian", Kind::table, {}, "light from a flat rectangle by the cosine law"},
+    {"rays", Kind::any, {}, "single rays, [[x, y, z, dx, dy, dz], …] in mm; a seventh number is power"},
+    {"file",
+     Kind::text,
+     {},
+     "a CSV file with the columns x, y, z, dx, dy, dz and perhaps power, relative to the experiment's file"},
+    {"wavelengths_nm", Kind::numbers, {}, "in standard air; neither these nor lines: 587.5618"},
+    {"lines", Kind::texts, {}, "or spectral lines: i, h, g, F', F, e, d, D, C', C, r, s, t"},
+    {"weights", Kind::numbers, {}, "of the wavelengths or lines; absent: all the same", above_zero},
+    {"spectrum", Kind::any, {}, "refused in this version"},
+    {"power_W",
+     Kind::number,
+     {},
+     "of the whole source, shared over wavelengths by weight and over rays; absent: the sum of the rays' "
+     "powers where they have some, else 1",
+     above_zero},
+    {"polarisation",
+     Kind::table,
+     {},
+     "absent: unpolarised; ignored, with a warning, until polarised tracing exists"},
+};
+
+constexpr Key beam_keys[] = {
+    {"from_mm", Kind::three, Required{}, "the middle of where it begins"},
+    {"toward", Kind::three, Required{}, "its direction, of any length"},
+    {"up", Kind::three, {}, "the second axis of size_mm, and that of a fan"},
+    {"radius_mm", Kind::number, {}, "a round beam; neither this nor size_mm: a single ray", not_negative},
+    {"size_mm", Kind::two, {}, "or a rectangular one: across `up`, along `up`", not_negative},
+    {"pattern", Kind::text, "grid", "\"grid\", \"hexagonal\", \"random\", \"sobol\", \"fan\" or \"ring\""},
+    {"rays", Kind::integer, 1.0, "at least this many for each wavelength", ray_count},
+    {"profile", Kind::table, {}, "absent: the same irradiance everywhere"},
+};
+
+constexpr Key profile_keys[] = {
+    {"gaussian_radius_mm", Kind::number, Required{}, "where the irradiance has fallen to 1/e²", above_zero},
+};
+
+constexpr Key point_keys[] = {
+    {"at_mm", Kind::three, Required{}, "where it is"},
+    {"toward", Kind::three, {}, "the axis of the cone, of any length; needed unless light goes everywhere"},
+    {"up", Kind::three, {}, "a direction across"},
+    {"half_angle_deg", Kind::number, 180.0, "of the cone; 180: everywhere", {0.0, 180.0, true}},
+    {"rays", Kind::integer, Required{}, "at least this many for each wavelength", ray_count},
+};
+
+constexpr Key lambertian_keys[] = {
+    {"at_mm", Kind::three, Required{}, "its middle"},
+    {"toward", Kind::three, Required{}, "the side it shines to, of any length"},
+    {"up", Kind::three, {}, "the second axis of size_mm"},
+    {"size_mm", Kind::two, Required{}, "across `up`, along `up`", above_zero},
+    {"rays", Kind::integer, Required{}, "at least this many for each wavelength", ray_count},
+};
+
+constexpr Key polarisation_keys[] = {
+    {"stokes", Kind::four, Required{},
+     "S0 > 0 and √(S1² + S2² + S3²) ≤ S0; S3 > 0 is right-handed seen by the receiver"},
+    {"axis", Kind::three, Required{}, "where S1 is positive"},
+};
+
+constexpr Key detector_keys[] = {
+    {"name", Kind::text, Required{}, "unique among objects, sources and detectors; without dots"},
+    {"group", Kind::text, {}, "the group that moves it; it may turn and move, not scale"},
+    {"at_mm", Kind::three, Required{}, "its middle"},
+    {"facing", Kind::three, Required{}, "it counts light that comes against this; of any length"},
+    {"up", Kind::three, {}, "the direction of its second axis; the first is up × facing"},
+    {"size_mm", Kind::two, Required{}, "along both axes", above_zero},
+    {"pixels", Kind::two, Repeated{2, 1.0}, "whole numbers, along both axes", {1.0, 65536.0}},
+    {"absorbs", Kind::truth, true, "false: rays are counted and go on"},
+    {"back", Kind::truth, false, "true counts light from behind too"},
+};
+
+} // namespace
+
+KeyTable const keys::source{"[[source]]", "Exactly one of beam, point, lambertian, rays and file.",
+                            source_keys};
+KeyTable const keys::beam{"beam", "Parallel light.", beam_keys};
+KeyTable const keys::profile{"profile", "How a beam's irradiance falls off.", profile_keys};
+KeyTable const keys::point{"point", "Uniform in solid angle within a cone.", point_keys};
+KeyTable const keys::lambertian{"lambertian", "A flat rectangle that shines by the cosine law.",
+                                lambertian_keys};
+KeyTable const keys::polarisation{"polarisation", "A Stokes vector and the axis it refers to.",
+                                  polarisation_keys};
+KeyTable const keys::detector{"[[detector]]", "A flat rectangle that counts light.", detector_keys};
+
+} // namespace sahl

@@ -1,0 +1,107 @@
+#include "scene/read_experiment.h"
+
+#include "math/input_error.h"
+#include "scene/read_file.h"
+#include "scene/read_media.h"
+#include "scene/read_objects.h"
+#include "scene/read_options.h"
+#include "scene/read_sources.h"
+#include "scene/read_surfaces.h"
+
+#include <algorithm>
+#include <map>
+
+namespace sahl {
+
+namespace {
+
+/// Names are unique over all that has a place in the scene.
+void check_names(Experiment const& experiment) {
+    std::map<std::string, std::string> owners;
+    auto const check = [&](std::string const& kind, auto const& list) {
+        for (auto const& item : list) {
+            auto const [entry, is_new] = owners.emplace(item.name, kind);
+            if (!is_new)
+                throw InputError(item.place.text(),
+                                 "the " + kind + " \"" + item.name + "\" has the name of another " +
+                                     entry->second,
+                                 "rename one of them");
+        }
+    };
+    check("object", experiment.objects);
+    check("source", experiment.sources);
+    check("detector", experiment.detectors);
+}
+
+std::vector<double> all_wavelengths(std::vector<SourceSpec> const& sources) {
+    std::vector<double> wavelengths;
+    for (SourceSpec const& source : sources)
+        for (auto const& [wavelength, weight] : source.wavelengths)
+            wavelengths.push_back(wavelength);
+    std::sort(wavelengths.begin(), wavelengths.end());
+    wavelengths.erase(std::unique(wavelengths.begin(), wavelengths.end()), wavelengths.end());
+    return wavelengths;
+}
+
+void warn_of_polarisation(Experiment& experiment) {
+    for (SourceSpec const& source : experiment.sources)
+        if (source.polarised && experiment.trace.polarised == Polarised::automatic)
+            experiment.warnings.push_back(source.place.text() + ": the polarisation of source \"" +
+                                          source.name +
+                                          "\" is ignored, since polarised tracing does not exist yet");
+}
+
+/// Every value of the sweep is read on a copy, so that nothing wrong is found when half of the runs are done.
+void check_sweep(Value const& tree, std::vector<SweepAxis> const& axes, std::filesystem::path const& file) {
+    if (axes.empty())
+        return;
+    Value copy = tree;
+    auto& entries = std::get<Table>(copy.data);
+    std::erase_if(entries, [](auto const& entry) { return entry.first == "sweep"; });
+    for (SweepAxis const& axis : axes)
+        for (double const value : axis.values) {
+            set_key(copy, axis.key, {value, axis.place});
+            read_experiment(copy, file);
+        }
+}
+
+} // namespace
+
+Value read_experiment_file(std::filesystem::path const& path, std::string& text) {
+    text = file_text(path);
+    return path.extension() == ".json" ? parse_json(text, path.string()) : parse_toml(text, path.string());
+}
+
+Experiment read_experiment(Value const& tree, std::filesystem::path const& file) {
+    Fields const top(tree, keys::experiment);
+    std::filesystem::path const folder = file.parent_path();
+    Experiment experiment;
+    experiment.file = file;
+    experiment.title = top.has("title") ? top.text("title") : file.stem().string();
+    experiment.trace = read_trace(tree);
+    experiment.log = read_log(tree);
+    experiment.limits = read_limits(tree);
+    check_picture_keys(tree);
+
+    MediaBook media(tree.find("medium"));
+    experiment.surroundings = media.refer(top.text("surroundings"), top.place("surroundings"));
+    experiment.surfaces = read_surfaces(tree.find("surface"), folder);
+    Groups const groups = read_groups(tables_in(tree, "group"));
+    experiment.objects = read_objects(tables_in(tree, "object"), media, experiment.surfaces, groups, folder);
+    experiment.sources = read_sources(tables_in(tree, "source"), groups, folder);
+    experiment.detectors = read_detectors(tables_in(tree, "detector"), groups);
+    experiment.media = media.media();
+
+    if (experiment.sources.empty())
+        throw InputError(file.string(), "there is no source of light",
+                         "add [[source]] with a name and, for instance, "
+                         "beam = {from_mm = [0, 0, -50], toward = [0, 0, 1], radius_mm = 2, rays = 1000}");
+    check_names(experiment);
+    experiment.warnings = check_media(media, all_wavelengths(experiment.sources));
+    warn_of_polarisation(experiment);
+    experiment.sweep = read_sweep(tree);
+    check_sweep(tree, experiment.sweep, file);
+    return experiment;
+}
+
+} // namespace sahl

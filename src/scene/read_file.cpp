@@ -1,0 +1,45 @@
+#include "scene/read_file.h"
+
+#include "math/input_error.h"
+#include "scene/read_table.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace sahl {
+
+std::filesystem::path existing_file(std::filesystem::path const& folder, std::string const& name,
+                                    Place const& place) {
+    namespace fs = std::filesystem;
+    fs::path const path = (folder / name).lexically_normal();
+    std::error_code error;
+    if (fs::is_regular_file(path, error))
+        return path;
+    std::vector<std::string> beside;
+    for (fs::directory_iterator it(path.has_parent_path() ? path.parent_path() : ".", error), end;
+         !error && it != end && beside.size() < 1000; it.increment(error))
+        beside.push_back(it->path().filename().string());
+    std::sort(beside.begin(), beside.end());
+    throw InputError(place.text(), "there is no file " + path.string(),
+                     beside.empty() ? "paths are relative to the experiment's file"
+                                    : did_you_mean(path.filename().string(), beside));
+}
+
+std::string file_text(std::filesystem::path const& path) {
+    constexpr std::uintmax_t most = std::uintmax_t(1) << 30;
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        throw InputError(path.string(), "there is no such file", "check the path");
+    if (!std::filesystem::is_regular_file(path, error))
+        throw InputError(path.string(), "this is not a file", "name a file");
+    if (std::filesystem::file_size(path, error) > most || error)
+        throw InputError(path.string(), "this file has more than 1 GiB", "split it into several sources");
+    std::ifstream in(path, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    if (!in)
+        throw InputError(path.string(), "this file cannot be read", "check its permissions");
+    return text;
+}
+
+} // namespace sahl

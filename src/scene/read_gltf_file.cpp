@@ -1,0 +1,90 @@
+// In: a path. Out: the file's bytes, and where in them the JSON and the binary chunk are.
+#include "scene/read_gltf_parts.h"
+
+#include "math/input_error.h"
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+namespace sahl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t json_budget = 256u << 20; // bytes: parsing takes several times as much memory
+
+// "JSON" and "BIN\0", the types of chunks (glTF 2.0, section 4.4.3)
+constexpr std::uint32_t json_chunk = 0x4E4F534A, bin_chunk = 0x004E4942;
+
+std::uint32_t little_endian(std::vector<unsigned char> const& bytes, std::uint64_t at) {
+    return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
+           static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+/// 12 bytes of header, a JSON chunk, perhaps a BIN chunk; each chunk has 8 bytes of header (section 4.4
+/// there).
+void find_chunks(GltfFile& file) {
+    auto const damaged = [&](std::string const& problem) {
+        return InputError(file.name(), problem, "copy or export the file again");
+    };
+    std::uint64_t const size = file.bytes.size();
+    if (size < 20)
+        throw damaged("a .glb file of " + std::to_string(size) + " bytes is cut short");
+    if (std::uint32_t const version = little_endian(file.bytes, 4); version != 2)
+        throw InputError(file.name(), "this is version " + std::to_string(version) + " of binary glTF",
+                         "export as glTF 2.0");
+    std::uint64_t const length = little_endian(file.bytes, 8);
+    if (length > size)
+        throw damaged("its header says " + std::to_string(length) + " bytes, but it has " +
+                      std::to_string(size));
+    std::uint64_t const json_size = little_endian(file.bytes, 12);
+    if (little_endian(file.bytes, 16) != json_chunk || json_size == 0 || 20 + json_size > length)
+        throw damaged("its first chunk is not JSON, or reaches past the end");
+    file.json_begin = 20;
+    file.json_size = json_size;
+    std::uint64_t const second = 20 + json_size;
+    if (second + 8 <= length && little_endian(file.bytes, second + 4) == bin_chunk) {
+        file.bin_begin = second + 8;
+        file.bin_size = little_endian(file.bytes, second);
+        if (file.bin_begin + file.bin_size > length)
+            throw damaged("its BIN chunk reaches past the end");
+    }
+}
+
+} // namespace
+
+std::vector<unsigned char> read_bytes(fs::path const& path, std::uint64_t wanted, std::string const& place) {
+    std::error_code error;
+    if (!fs::exists(path, error))
+        throw InputError(place, "there is no such file", "check the path");
+    if (!fs::is_regular_file(path, error))
+        throw InputError(place, "this is not a regular file", "name a file");
+    std::vector<unsigned char> bytes(std::min<std::uint64_t>(wanted, fs::file_size(path, error)));
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (error || !stream)
+        throw InputError(place, "the file cannot be read", "check that you may read it");
+    return bytes;
+}
+
+GltfFile read_gltf_file(fs::path const& path) {
+    GltfFile file;
+    file.path = path;
+    file.bytes = read_bytes(path, gltf_file_budget + 1, path.string());
+    if (file.bytes.size() > gltf_file_budget)
+        throw InputError(file.name(), "the file is larger than 1 GiB", "split the model");
+    if (file.bytes.empty())
+        throw InputError(file.name(), "the file is empty", "export it again");
+    file.json_size = file.bytes.size();
+    if (file.bytes.size() >= 4 &&
+        std::string_view(reinterpret_cast<char const*>(file.bytes.data()), 4) == "glTF")
+        find_chunks(file);
+    if (file.json_size > json_budget)
+        throw InputError(file.name(), "its JSON is larger than 256 MiB",
+                         "export as .glb: data then lie outside the JSON");
+    return file;
+}
+
+} // namespace sahl

@@ -1,0 +1,229 @@
+// In: tinygltf's meshes. Out: triangles in double, each index in range, each number finite, normals of unit
+// length.
+#include "scene/read_gltf_parts.h"
+
+#include "math/input_error.h"
+
+#include <tiny_gltf.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace sahl {
+
+namespace {
+
+constexpr char const* again = "export the file again";
+
+std::vector<dvec3> as_vectors(std::vector<double> const& numbers, std::string const& place) {
+    std::vector<dvec3> vectors(numbers.size() / 3);
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        vectors[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+        if (!std::isfinite(vectors[i].x + vectors[i].y + vectors[i].z))
+            throw InputError(place, "element " + std::to_string(i) + " is not finite", again);
+    }
+    return vectors;
+}
+
+/// Twice the triangle's area times its normal.
+dvec3 area_vector(TriangleSoup const& soup, std::array<std::uint32_t, 3> const& t) {
+    return cross(soup.positions[t[1]] - soup.positions[t[0]], soup.positions[t[2]] - soup.positions[t[0]]);
+}
+
+dvec3 unit_or(dvec3 const& v, dvec3 const& otherwise) {
+    double const size = length(v);
+    return size > 0.0 && std::isfinite(size) ? v / size : otherwise;
+}
+
+/// One of tinygltf's meshes on its way into a ModelMesh.
+struct MeshReader {
+    tinygltf::Model const& model;
+    AccessorBudget& budget;
+    std::vector<std::string>& warnings;
+    TriangleSoup& soup;
+    bool any_normals;
+    std::map<std::pair<int, int>, std::uint32_t>
+        first_vertex{}; // of the vertices with these positions and normals
+
+    std::uint32_t vertices_of(tinygltf::Primitive const& primitive, std::string const& place,
+                              std::size_t& count);
+    std::vector<std::uint32_t> corners_of(tinygltf::Primitive const& primitive, std::string const& place,
+                                          std::size_t vertices);
+    void add_triangles(tinygltf::Primitive const& primitive, std::uint32_t face, std::string const& place);
+    void make_flat_normals(std::size_t first_triangle);
+    void mend_zero_normals(std::size_t first_triangle, std::string const& place);
+};
+
+int attribute(tinygltf::Primitive const& primitive, char const* name) {
+    auto const found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+/// Reads positions and normals, once for all primitives that share them; returns the first one's number.
+std::uint32_t MeshReader::vertices_of(tinygltf::Primitive const& primitive, std::string const& place,
+                                      std::size_t& count) {
+    int const position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
+    std::string const position_place = place + "/attributes/POSITION",
+                      normal_place = place + "/attributes/NORMAL";
+    if (auto const known = first_vertex.find({position, normal});
+        known != first_vertex.end() && normal >= 0) {
+        count = model.accessors[static_cast<std::size_t>(position)].count;
+        return known->second;
+    }
+    auto const positions =
+        as_vectors(accessor_numbers(model, position, 3, position_place, budget), position_place);
+    count = positions.size();
+    std::uint32_t const first = static_cast<std::uint32_t>(soup.positions.size());
+    soup.positions.insert(soup.positions.end(), positions.begin(), positions.end());
+    first_vertex[{position, normal}] = first;
+    if (any_normals)
+        soup.normals.resize(soup.positions.size(), dvec3(0.0));
+    if (normal < 0)
+        return first;
+    auto const normals = as_vectors(accessor_numbers(model, normal, 3, normal_place, budget), normal_place);
+    if (normals.size() != count)
+        throw InputError(
+            normal_place,
+            std::to_string(normals.size()) + " normals for " + std::to_string(count) + " positions", again);
+    for (std::size_t i = 0; i < count; ++i)
+        soup.normals[first + i] = unit_or(normals[i], dvec3(0.0));
+    return first;
+}
+
+std::vector<std::uint32_t> MeshReader::corners_of(tinygltf::Primitive const& primitive,
+                                                  std::string const& place, std::size_t vertices) {
+    int const indices_accessor = attribute(primitive, gltf_indices_attribute);
+    std::vector<std::uint32_t> corners;
+    if (indices_accessor < 0) {
+        for (std::size_t i = 0; i < vertices; ++i)
+            corners.push_back(static_cast<std::uint32_t>(i));
+        return corners;
+    }
+    std::string const from = place + "/indices";
+    auto const indices = accessor_numbers(model, indices_accessor, 1, from, budget);
+    int const type = model.accessors[static_cast<std::size_t>(indices_accessor)].componentType;
+    if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+        type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+        throw InputError(from, "component type " + std::to_string(type) + " is not one of indices", again);
+    corners.reserve(indices.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (!(indices[i] >= 0.0 && indices[i] < static_cast<double>(vertices) &&
+              indices[i] == std::floor(indices[i])))
+            throw InputError(from,
+                             "element " + std::to_string(i) +
+                                 " names a vertex that is not there: there are " + std::to_string(vertices),
+                             again);
+        corners.push_back(static_cast<std::uint32_t>(indices[i]));
+    }
+    return corners;
+}
+
+/// Lists, strips and fans (glTF 2.0, section 3.7.2.1); others have no area.
+void MeshReader::add_triangles(tinygltf::Primitive const& primitive, std::uint32_t face,
+                               std::string const& place) {
+    std::size_t vertices = 0;
+    std::uint32_t const first = vertices_of(primitive, place, vertices);
+    std::vector<std::uint32_t> const corners = corners_of(primitive, place, vertices);
+    std::size_t const first_triangle = soup.triangles.size();
+    auto const add = [&](std::size_t a, std::size_t b, std::size_t c) {
+        soup.triangles.push_back({first + corners[a], first + corners[b], first + corners[c]});
+    };
+    if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
+        if (corners.size() % 3 != 0)
+            warnings.push_back(place + ": the last " + std::to_string(corners.size() % 3) +
+                               " corners make no triangle, and are left out");
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+            add(i, i + 1, i + 2);
+    }
+    for (std::size_t i = 0; i + 2 < corners.size() && primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP; ++i)
+        add(i, i + 1 + i % 2, i + 2 - i % 2);
+    for (std::size_t i = 0; i + 2 < corners.size() && primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN; ++i)
+        add(i + 1, i + 2, 0);
+    soup.triangle_face.resize(soup.triangles.size(), face);
+    if (any_normals && attribute(primitive, "NORMAL") < 0)
+        make_flat_normals(first_triangle);
+    else if (any_normals)
+        mend_zero_normals(first_triangle, place);
+}
+
+/// Without normals a primitive is flat (glTF 2.0, section 3.7.2.1): each corner gets a vertex of its own.
+void MeshReader::make_flat_normals(std::size_t first_triangle) {
+    for (std::size_t t = first_triangle; t < soup.triangles.size(); ++t) {
+        dvec3 const normal = unit_or(area_vector(soup, soup.triangles[t]), dvec3(0.0, 0.0, 1.0));
+        for (std::uint32_t& corner : soup.triangles[t]) {
+            soup.positions.push_back(dvec3(soup.positions[corner]));
+            soup.normals.push_back(normal);
+            corner = static_cast<std::uint32_t>(soup.positions.size() - 1);
+        }
+    }
+}
+
+void MeshReader::mend_zero_normals(std::size_t first_triangle, std::string const& place) {
+    std::size_t mended = 0;
+    for (std::size_t t = first_triangle; t < soup.triangles.size(); ++t)
+        for (std::uint32_t const corner : soup.triangles[t])
+            if (soup.normals[corner] == dvec3(0.0)) {
+                soup.normals[corner] = unit_or(area_vector(soup, soup.triangles[t]), dvec3(0.0, 0.0, 1.0));
+                ++mended;
+            }
+    if (mended > 0)
+        warnings.push_back(place + "/attributes/NORMAL: " + std::to_string(mended) +
+                           " normals have no length; the triangle's own are taken");
+}
+
+bool has_area(tinygltf::Primitive const& primitive) {
+    return primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+} // namespace
+
+std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<ModelMaterial> const& materials,
+                                   std::string const& file, std::vector<std::string>& warnings) {
+    std::vector<ModelMesh> meshes;
+    AccessorBudget budget;
+    for (tinygltf::Mesh const& source : model.meshes) {
+        std::string const place = file + ": /meshes/" + std::to_string(meshes.size());
+        ModelMesh mesh;
+        mesh.name = source.name.empty() ? "mesh_" + std::to_string(meshes.size()) : source.name;
+        bool any_normals = false;
+        for (tinygltf::Primitive const& primitive : source.primitives)
+            any_normals = any_normals || (has_area(primitive) && attribute(primitive, "NORMAL") >= 0);
+        MeshReader reader{model, budget, warnings, mesh.soup, any_normals};
+        for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+            tinygltf::Primitive const& primitive = source.primitives[i];
+            std::string const here = place + "/primitives/" + std::to_string(i);
+            if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+                throw InputError(here + "/mode", "there is no mode " + std::to_string(primitive.mode),
+                                 "give 0 to 6");
+            bool const missing = attribute(primitive, "POSITION") < 0;
+            if (missing || !has_area(primitive)) {
+                warnings.push_back(here +
+                                   (missing ? ": it has no POSITION" : ": points and lines have no area") +
+                                   ", and is left out");
+                continue;
+            }
+            std::optional<std::uint32_t> material;
+            if (primitive.material >= 0)
+                material = static_cast<std::uint32_t>(primitive.material);
+            if (material && *material >= materials.size())
+                throw InputError(here + "/material", "there is no material " + std::to_string(*material),
+                                 again);
+            std::uint32_t const face = static_cast<std::uint32_t>(mesh.face_material.size());
+            mesh.face_material.push_back(material);
+            mesh.soup.face_names.push_back(material ? materials[*material].name : "surface");
+            reader.add_triangles(primitive, face, here);
+            if (!primitive.targets.empty())
+                warnings.push_back(here +
+                                   "/targets: morph targets are left out: the mesh has its rest shape");
+        }
+        if (mesh.soup.face_names.empty()) {
+            mesh.soup.face_names.push_back("surface");
+            mesh.face_material.push_back(std::nullopt);
+        }
+        meshes.push_back(std::move(mesh));
+    }
+    return meshes;
+}
+
+} // namespace sahl

@@ -1,0 +1,96 @@
+// In: a glTF file, step by step: bytes, JSON, tinygltf's model. Out: the parts of a Model.
+// Shared by read_gltf*.cpp alone.
+#pragma once
+
+#include "scene/model.h"
+#include "scene/value.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace sahl {
+
+constexpr std::uint64_t gltf_file_budget = std::uint64_t{1}
+                                           << 30; // bytes: of the file, and of all its buffers
+
+/// The name under which a primitive's indices are found among its attributes, see read_gltf_buffers.cpp.
+constexpr char const* gltf_indices_attribute = "_INDICES_OF_PRIMITIVE";
+
+/// A file's bytes, and where in them the JSON is.
+struct GltfFile {
+    std::filesystem::path path;
+    std::vector<unsigned char> bytes;
+    std::size_t json_begin = 0, json_size = 0;
+    std::size_t bin_begin = 0, bin_size = 0; // of a .glb's binary chunk; size 0: none
+
+    std::string name() const { return path.string(); }
+    std::string_view json() const {
+        return {reinterpret_cast<char const*>(bytes.data()) + json_begin, json_size};
+    }
+};
+
+/// The first `wanted` bytes of a regular file, or all where it is shorter; `place` is what a message starts
+/// with.
+std::vector<unsigned char> read_bytes(std::filesystem::path const& path, std::uint64_t wanted,
+                                      std::string const& place);
+
+/// Reads the file and finds its JSON: told by its first bytes, not by its ending.
+GltfFile read_gltf_file(std::filesystem::path const& path);
+
+/// Calls `visit` with each value that `pattern` matches: a JSON pointer in which * stands for every entry.
+template <class Visit>
+void for_each_match(Value const& value, std::string_view pattern, Visit const& visit) {
+    if (pattern.empty())
+        return visit(value);
+    std::size_t const end = std::min(pattern.find('/', 1), pattern.size());
+    std::string_view const key = pattern.substr(1, end - 1), rest = pattern.substr(end);
+    auto const* array = std::get_if<Array>(&value.data);
+    auto const* table = std::get_if<Table>(&value.data);
+    if (key == "*" && array)
+        for (Value const& entry : *array)
+            for_each_match(entry, rest, visit);
+    else if (key == "*" && table)
+        for (auto const& entry : *table)
+            for_each_match(entry.second, rest, visit);
+    else if (Value const* entry = table ? value.find(key) : nullptr)
+        for_each_match(*entry, rest, visit);
+}
+
+/// Throws InputError where a value is not of the type that glTF 2.0 gives it, or is missing.
+void check_gltf_types(Value const& tree);
+
+/// The tree of the file's JSON, every value that is used of the type that it should be; required extensions
+/// known. Adds a warning for each extension that is not modelled.
+Value checked_gltf_tree(GltfFile const& file, std::vector<std::string>& warnings);
+
+/// tinygltf's view of a checked file, its buffers loaded. Files other than the buffers are not opened, images
+/// not decoded.
+tinygltf::Model load_gltf(GltfFile const& file, Value const& tree);
+
+/// What all accessors of one file may still bring in, so that many that share bytes cannot fill the memory.
+struct AccessorBudget {
+    std::uint64_t numbers = std::uint64_t{1} << 28; // as many floats as the largest file has room for
+};
+
+/// The numbers of an accessor, `components` an element, normalised ones divided, sparse ones replaced.
+/// `place` is what refers to it. Throws InputError unless all of it lies inside its buffers.
+std::vector<double> accessor_numbers(tinygltf::Model const& model, int accessor, int components,
+                                     std::string const& place, AccessorBudget& budget);
+
+std::vector<ModelMaterial> gltf_materials(Value const& tree);
+std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<ModelMaterial> const& materials,
+                                   std::string const& file, std::vector<std::string>& warnings);
+/// The nodes of the default scene (else of the first; without scenes all) that have a mesh.
+std::vector<ModelInstance> gltf_instances(tinygltf::Model const& model, std::string const& file,
+                                          std::vector<std::string>& warnings);
+
+} // namespace sahl

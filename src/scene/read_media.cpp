@@ -1,0 +1,182 @@
+#include "scene/read_media.h"
+
+#include "materials/catalogue.h"
+#include "math/input_error.h"
+#include "scene/read_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sahl {
+
+namespace {
+
+std::vector<std::string> catalogue_names() {
+    std::vector<std::string> names = glass_names();
+    names.insert(names.end(), {"air", "vacuum"});
+    return names;
+}
+
+Medium read_glass(Fields const& fields) {
+    std::string const name = fields.text("glass");
+    if (auto medium = find_glass(name))
+        return *medium;
+    throw InputError(fields.place("glass").text(), "there is no glass \"" + name + "\" in the catalogue",
+                     did_you_mean(name, catalogue_names()));
+}
+
+Dispersion read_sellmeier(Value const& table) {
+    Fields const fields(table, keys::sellmeier);
+    Sellmeier formula{fields.numbers("B"), fields.numbers("C_um2"), 0.0};
+    if (formula.b.empty() || formula.b.size() != formula.c_um2.size())
+        throw InputError(fields.place("C_um2").text(),
+                         "B has " + std::to_string(formula.b.size()) + " numbers and C_um2 has " +
+                             std::to_string(formula.c_um2.size()),
+                         "give as many of each, at least one");
+    return formula;
+}
+
+Dispersion read_cauchy(Value const& table) {
+    Fields const fields(table, keys::cauchy);
+    return Cauchy{fields.number("A"), fields.number("B_um2"), fields.number("C_um4")};
+}
+
+/// [[nm, x], …] in m, x multiplied by `factor`; wavelengths > 0 and x not below `least` (nor equal to it if
+/// `above`).
+std::vector<std::pair<double, double>> read_spectral_table(Value const& list, double factor, bool above) {
+    auto points = ascending_pairs(list);
+    if (points.empty())
+        throw InputError(list.place.text(), "this list is empty", "give at least one row [nm, value]");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        auto& [wavelength, x] = points[i];
+        if (wavelength <= 0.0 || x < 0.0 || (above && x == 0.0))
+            throw InputError(std::get<Array>(list.data)[i].place.text(), "this row has a number out of range",
+                             above ? "give wavelengths in nm and indices, both above 0"
+                                   : "give wavelengths in nm above 0 and absorption in 1/mm of at least 0");
+        wavelength *= 1e-9;
+        x *= factor;
+    }
+    return points;
+}
+
+Medium read_index(Fields const& fields) {
+    for (auto const& [one, other] : {std::pair{"nd", "vd"}, std::pair{"vd", "nd"}})
+        if (fields.has(one) && !fields.has(other))
+            throw InputError(fields.place(one).text(), fields.called(one) + " stands without " + other,
+                             "give both");
+    std::string const kind = fields.only_one_of({"glass", "n", "nd", "sellmeier", "cauchy", "table"});
+    if (kind == "glass")
+        return read_glass(fields);
+    Medium medium;
+    if (kind == "n")
+        medium.index = ConstantIndex{fields.number("n")};
+    else if (kind == "nd")
+        medium.index = AbbeIndex{fields.number("nd"), fields.number("vd")};
+    else if (kind == "sellmeier")
+        medium.index = read_sellmeier(fields.at("sellmeier"));
+    else if (kind == "cauchy")
+        medium.index = read_cauchy(fields.at("cauchy"));
+    else {
+        auto points = read_spectral_table(fields.at("table"), 1.0, true);
+        medium.range = {points.front().first, points.back().first};
+        medium.index = TabulatedIndex{std::move(points)};
+    }
+    return medium;
+}
+
+void read_absorption(Fields const& fields, Medium& medium) {
+    constexpr double per_m_in_per_mm = 1000.0;
+    if (fields.has("absorption") && fields.has("absorption_per_mm"))
+        throw InputError(fields.place("absorption_per_mm").text(),
+                         "absorption and absorption_per_mm stand side by side", "keep one of the two");
+    if (fields.has("absorption_per_mm")) {
+        // The wavelength of a single point has no meaning: one point holds everywhere.
+        medium.absorption = {{587.5618e-9, fields.number("absorption_per_mm") * per_m_in_per_mm}};
+        return;
+    }
+    if (!fields.has("absorption"))
+        return;
+    Value const& value = fields.at("absorption");
+    if (auto const* truth = std::get_if<bool>(&value.data)) {
+        if (!*truth)
+            medium.absorption.clear();
+        else if (!fields.has("glass"))
+            throw InputError(value.place.text(),
+                             fields.called("absorption") + " is true, but only glass has some to turn on",
+                             "give absorption_per_mm or absorption = [[nm, 1/mm], …]");
+        return;
+    }
+    if (!has_kind(value, Kind::pairs))
+        throw InputError(value.place.text(), fields.called("absorption") + " is " + quoted_value(value),
+                         "give [[nm, 1/mm], …], or false for none");
+    medium.absorption = read_spectral_table(value, per_m_in_per_mm, false);
+}
+
+} // namespace
+
+MediaBook::MediaBook(Value const* definitions) {
+    if (!definitions)
+        return;
+    for (auto const& [name, table] : std::get<Table>(definitions->data)) {
+        check_name(name, table.place);
+        Fields const fields(table, keys::medium);
+        Medium medium = read_index(fields);
+        read_absorption(fields, medium);
+        medium.name = name;
+        defined_.push_back({std::move(medium), table.place});
+    }
+}
+
+MediumId MediaBook::give(Entry& entry) {
+    if (entry.id < 0) {
+        entry.id = static_cast<int>(media_.size());
+        media_.push_back(entry.medium);
+        places_.push_back(entry.place);
+    }
+    return {static_cast<std::uint32_t>(entry.id)};
+}
+
+MediumId MediaBook::refer(std::string_view name, Place const& place) {
+    for (Entry& entry : defined_)
+        if (entry.medium.name == name)
+            return give(entry);
+    std::vector<std::string> names;
+    auto const medium = find_glass(name);
+    if (!medium) {
+        for (Entry const& entry : defined_)
+            names.push_back(entry.medium.name);
+        auto const catalogue = catalogue_names();
+        names.insert(names.end(), catalogue.begin(), catalogue.end());
+        throw InputError(place.text(),
+                         "there is no medium \"" + std::string(name) + "\", here or in the catalogue",
+                         did_you_mean(name, names));
+    }
+    for (Entry& entry : from_catalogue_)
+        if (entry.medium.name == medium->name)
+            return give(entry);
+    from_catalogue_.push_back({*medium, place});
+    return give(from_catalogue_.back());
+}
+
+std::vector<std::string> check_media(MediaBook const& book, std::vector<double> const& wavelengths) {
+    auto const nm = [](double metres) { return quoted_value({std::round(metres * 1e13) / 1e4, {}}) + " nm"; };
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < book.media().size(); ++i) {
+        Medium const& medium = book.media()[i];
+        for (double const wavelength : wavelengths) {
+            double const n = refractive_index(medium.index, wavelength);
+            if (!(std::isfinite(n) && n > 0.0))
+                throw InputError(book.places()[i].text(),
+                                 "medium \"" + medium.name + "\" has no real index at " + nm(wavelength),
+                                 "correct its formula, or use another wavelength");
+            auto const& [low, high] = medium.range;
+            if (high > 0.0 && (wavelength < low || wavelength > high))
+                warnings.push_back(book.places()[i].text() + ": medium \"" + medium.name + "\" is used at " +
+                                   nm(wavelength) + ", but its index is stated from " + nm(low) + " to " +
+                                   nm(high) + " only");
+        }
+    }
+    return warnings;
+}
+
+} // namespace sahl

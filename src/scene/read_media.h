@@ -1,0 +1,47 @@
+// In: the tables [medium.NAME] and names asked for. Out: the media that something refers to, each once.
+#pragma once
+
+#include "materials/medium.h"
+#include "math/ids.h"
+#include "scene/value.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sahl {
+
+/// Gives out ids for names of media, so that only what is referred to reaches the experiment.
+class MediaBook {
+  public:
+    /// `definitions`: the table `medium`, or nullptr. Throws InputError at the first that is wrong, referred
+    /// to or not.
+    explicit MediaBook(Value const* definitions);
+
+    /// A name defined in the file goes before one of the catalogue. Throws InputError with the nearest name.
+    MediumId refer(std::string_view name, Place const& place);
+
+    /// What has been referred to, by id, and where it is defined, or first asked for if it is in the
+    /// catalogue.
+    std::vector<Medium> const& media() const { return media_; }
+    std::vector<Place> const& places() const { return places_; }
+
+  private:
+    struct Entry {
+        Medium medium;
+        Place place;
+        int id = -1; // not referred to
+    };
+    MediumId give(Entry& entry);
+
+    std::vector<Entry> defined_, from_catalogue_;
+    std::vector<Medium> media_;
+    std::vector<Place> places_;
+};
+
+/// What is wrong with the media at these wavelengths (m): throws InputError where an index is not a number
+/// above 0, returns a warning for each wavelength outside a formula's range.
+std::vector<std::string> check_media(MediaBook const& book, std::vector<double> const& wavelengths);
+
+} // namespace sahl

@@ -1,0 +1,139 @@
+#include "scene/read_options.h"
+
+#include "math/input_error.h"
+#include "scene/read_table.h"
+
+#include <cmath>
+
+namespace sahl {
+
+namespace {
+
+/// The table under `key`, or an empty one.
+Value const& table_or_empty(Value const& tree, std::string_view key) {
+    static Value const empty = empty_table();
+    Value const* table = tree.find(key);
+    return table ? *table : empty;
+}
+
+Polarised read_polarised(Fields const& fields) {
+    if (!fields.has("polarised"))
+        return Polarised::automatic;
+    Value const& value = fields.at("polarised");
+    if (auto const* text = std::get_if<std::string>(&value.data); text && *text == "auto")
+        return Polarised::automatic;
+    auto const* truth = std::get_if<bool>(&value.data);
+    if (!truth)
+        throw InputError(value.place.text(), fields.called("polarised") + " is " + quoted_value(value),
+                         "give \"auto\" or false");
+    if (*truth)
+        throw InputError(value.place.text(), "polarised tracing does not exist yet",
+                         "give \"auto\" or false");
+    return Polarised::no;
+}
+
+Method read_method(Fields const& fields) {
+    auto const method = fields.choice<Method>("method", {{"auto", Method::automatic},
+                                                         {"facet", Method::facet},
+                                                         {"interpolated", Method::interpolated},
+                                                         {"quadratic", Method::quadratic},
+                                                         {"fitted", Method::fitted},
+                                                         {"recognised", Method::recognised}});
+    if (method == Method::quadratic || method == Method::fitted || method == Method::recognised)
+        throw InputError(fields.place("method").text(),
+                         "this version traces facet and interpolated, not " + fields.text("method"),
+                         "give \"auto\", \"facet\" or \"interpolated\"");
+    return method;
+}
+
+SweepAxis read_range(Value const& table, SweepAxis axis) {
+    Fields const fields(table, keys::sweep);
+    if (fields.has("values")) {
+        for (auto const key : {"from", "to", "steps"})
+            if (fields.has(key))
+                throw InputError(fields.place(key).text(), fields.called(key) + " stands beside values",
+                                 "give either values or from, to and steps");
+        axis.values = fields.numbers("values");
+        return axis;
+    }
+    for (auto const key : {"from", "to", "steps"})
+        if (!fields.has(key))
+            throw InputError(fields.place().text(), "'" + std::string(key) + "' is missing in [sweep]",
+                             "give {from = …, to = …, steps = …} or {values = […]}");
+    double const from = fields.number("from"), to = fields.number("to");
+    auto const steps = fields.integer("steps");
+    for (std::int64_t i = 0; i < steps; ++i)
+        axis.values.push_back(
+            steps == 1 ? from : from + (to - from) * static_cast<double>(i) / static_cast<double>(steps - 1));
+    return axis;
+}
+
+} // namespace
+
+TraceOptions read_trace(Value const& tree) {
+    Fields const fields(table_or_empty(tree, "trace"), keys::trace);
+    TraceOptions options;
+    options.max_depth = static_cast<std::uint32_t>(fields.integer("max_depth"));
+    options.min_power = fields.number("min_power");
+    options.branch = fields.choice<BranchPolicy>("branch", {{"split", BranchPolicy::split},
+                                                            {"roulette", BranchPolicy::roulette},
+                                                            {"dominant", BranchPolicy::dominant}});
+    options.split_until = fields.number("split_until");
+    options.method = read_method(fields);
+    options.tolerance = fields.number("tolerance_rad");
+    options.tolerance_power = fields.number("tolerance_power");
+    options.polarised = read_polarised(fields);
+    options.seed = static_cast<std::uint64_t>(fields.integer("seed"));
+    return options;
+}
+
+LogOptions read_log(Value const& tree) {
+    Fields const trace(table_or_empty(tree, "trace"), keys::trace);
+    Fields const fields(table_or_empty(tree, "log"), keys::log);
+    LogOptions log;
+    log.on = trace.truth("log");
+    log.every = static_cast<std::uint64_t>(fields.integer("every"));
+    log.where = fields.text("where");
+    log.compress = fields.truth("compress");
+    if (!log.where.empty())
+        throw InputError(fields.place("where").text(), "this version cannot filter what it logs",
+                         "leave `where` out; `every` thins the log");
+    if (log.compress)
+        throw InputError(fields.place("compress").text(), "this version cannot compress its log",
+                         "give compress = false");
+    return log;
+}
+
+Limits read_limits(Value const& tree) {
+    Fields const fields(table_or_empty(tree, "limits"), keys::limits);
+    return {fields.number("leak"), fields.number("ledger")};
+}
+
+std::vector<SweepAxis> read_sweep(Value const& tree) {
+    std::vector<SweepAxis> axes;
+    for (auto const& [key, value] : std::get<Table>(table_or_empty(tree, "sweep").data)) {
+        if (!axes.empty())
+            throw InputError(value.place.text(), "there are two keys in [sweep], and this version sweeps one",
+                             "keep one, and write an experiment for each value of the other");
+        SweepAxis axis{key, {}, value.place};
+        if (!has_kind(value, Kind::numbers))
+            axis = read_range(value, std::move(axis));
+        else
+            axis.values = numbers_in(std::get<Array>(value.data));
+        if (axis.values.empty())
+            throw InputError(axis.place.text(), "this sweep has no values", "give at least one");
+        axes.push_back(std::move(axis));
+    }
+    return axes;
+}
+
+void check_picture_keys(Value const& tree) {
+    if (Value const* camera = tree.find("camera"))
+        Fields(*camera, keys::camera);
+    for (Value const& light : tables_in(tree, "light"))
+        Fields(Fields(light, keys::light).at("point"), keys::light_point);
+    if (Value const* background = tree.find("background"))
+        Fields(*background, keys::background).only_one_of({"color", "image"});
+}
+
+} // namespace sahl

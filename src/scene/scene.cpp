@@ -1,0 +1,130 @@
+#include "scene/scene.h"
+
+#include "scene/model_body.h"
+#include "scene/read_gltf.h"
+
+#include "math/input_error.h"
+#include "math/nearest_name.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace sahl {
+
+namespace {
+
+/// The scene while it grows, with the geometries that will make its BVH.
+struct Builder {
+    Scene scene;
+    std::vector<PlacedGeometry> geometries;
+
+    FaceId next_face() const { return {static_cast<std::uint32_t>(scene.faces.size())}; }
+    ShellId next_shell() const { return {static_cast<std::uint32_t>(scene.shells.size())}; }
+    ObjectId next_body() const { return {static_cast<std::uint32_t>(scene.bodies.size())}; }
+
+    void add_shape(ObjectSpec const& object, Shape const& shape);
+    void add_model(ObjectSpec const& object, ModelReference const& reference);
+    void add_detector(DetectorSpec const& detector, DetectorId id);
+};
+
+std::optional<SurfaceId> surface_of(ObjectSpec const& object, std::string_view face) {
+    for (auto const& [name, surface] : object.faces)
+        if (name == face)
+            return surface;
+    return object.surface;
+}
+
+void Builder::add_shape(ObjectSpec const& object, Shape const& shape) {
+    ObjectId const body = next_body();
+    bool const open = is_open(shape);
+    geometries.push_back({shape, object.to_world, next_face(), next_shell(), false, false});
+    scene.bodies.push_back(
+        {object.name, open, object.medium.value_or(scene.surroundings), object.priority, {}, nullptr, Method::automatic,
+         shape, object.to_world});
+    auto const names = face_names(shape);
+    for (std::string_view name : names)
+        scene.faces.push_back({names.size() == 1 ? object.name : object.name + "." + std::string(name), body,
+                               surface_of(object, name)});
+    if (!open)
+        scene.shells.push_back({body, 1, true});
+}
+
+void Builder::add_detector(DetectorSpec const& detector, DetectorId id) {
+    ObjectId const body = next_body();
+    geometries.push_back({Shape(Rectangle{detector.size}), detector.to_world, next_face(), next_shell(), true, false});
+    scene.bodies.push_back({detector.name, true, scene.surroundings, 0, id, nullptr, Method::automatic,
+                            Rectangle{detector.size}, detector.to_world});
+    scene.faces.push_back({detector.name, body, {}});
+}
+
+void Builder::add_model(ObjectSpec const& object, ModelReference const& reference) {
+    std::string const ending = reference.path.extension().string();
+    if (ending != ".gltf" && ending != ".glb")
+        throw InputError(reference.place.text(), "the model " + reference.path.string() + " is not glTF",
+                         "this version reads .gltf and .glb; export the model as one of them");
+    Model const model = read_gltf(reference.path);
+    scene.models.push_back(reference.path.string());
+    for (std::string const& warning : model.warnings)
+        scene.warnings.push_back(object.name + ": " + warning);
+
+    std::vector<std::shared_ptr<Mesh const>> meshes(model.meshes.size()); // instances share one
+    std::vector<ModelInstance const*> instances;
+    for (ModelInstance const& instance : model.instances)
+        if (wants_part(reference, instance.name))
+            instances.push_back(&instance);
+    if (instances.empty())
+        throw no_such_part(reference, model);
+    check_mapping(reference, model);
+
+    Affine const unit{dmat3(reference.metres_per_unit), dvec3(0.0)};
+    for (ModelInstance const* instance : instances) {
+        ModelMesh const& source = model.meshes[instance->mesh];
+        auto& mesh = meshes[instance->mesh];
+        if (!mesh)
+            mesh = std::make_shared<Mesh const>(make_mesh(source.soup));
+        ObjectId const body = next_body();
+        std::string const name = instances.size() == 1 ? object.name : unique_name(scene, object.name, instance->name);
+        ModelBody const made = body_of(object, reference, model, source, scene);
+        Method const method = object_method(*mesh, scene.mesh_method);
+        Affine const to_world = compose(object.to_world, compose(unit, instance->to_world));
+        geometries.push_back({mesh, to_world, next_face(), next_shell(), false, method == Method::interpolated});
+        scene.bodies.push_back({name, false, made.medium, object.priority, {}, mesh, method, {}, to_world});
+        for (std::size_t face = 0; face < source.soup.face_names.size(); ++face)
+            scene.faces.push_back({name + "." + source.soup.face_names[face], body, made.surfaces[face]});
+        for (MeshShell const& shell : mesh->shells)
+            scene.shells.push_back({body, shell.sign, mesh->shells.size() == 1});
+        if (!mesh->closed()) {
+            std::ostringstream warning;
+            warning << name << ": the mesh is not closed (" << mesh->boundary_edges << " border edges, "
+                    << mesh->non_manifold_edges
+                    << " edges of more than two triangles): rays that find a hole are counted as leaks";
+            scene.warnings.push_back(warning.str());
+        }
+    }
+}
+
+} // namespace
+
+Scene build_scene(Experiment const& experiment) {
+    Builder builder;
+    Scene& scene = builder.scene;
+    scene.media = experiment.media;
+    scene.surfaces = experiment.surfaces;
+    scene.surroundings = experiment.surroundings;
+    scene.sources = experiment.sources;
+    scene.detectors = experiment.detectors;
+    scene.warnings = experiment.warnings;
+    scene.mesh_method = experiment.trace.method;
+    for (ObjectSpec const& object : experiment.objects)
+        if (auto const* const model = std::get_if<ModelReference>(&object.what))
+            builder.add_model(object, *model);
+        else
+            builder.add_shape(object, std::get<Shape>(object.what));
+    for (std::uint32_t i = 0; i < experiment.detectors.size(); ++i)
+        builder.add_detector(experiment.detectors[i], {i});
+    scene.bvh = std::make_unique<Bvh const>(std::move(builder.geometries));
+    return std::move(builder.scene);
+}
+
+} // namespace sahl

@@ -1,0 +1,64 @@
+// In: an experiment with its models read. Out: the scene as it is traced: shapes in the BVH, and by id what they are
+// made of. Where shape meets substance is interface.h.
+#pragma once
+
+#include "geometry/bvh.h"
+#include "scene/experiment.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sahl {
+
+/// One geometry of the BVH: an object of the experiment, an instance of a model's node, or a detector.
+struct Body {
+    std::string name; // "prism", "bunny", "bunny.body" where a model has several
+    bool open = false;
+    MediumId medium;  // of a closed body
+    int priority = 0;
+    std::optional<DetectorId> detector;
+    std::shared_ptr<Mesh const> mesh;   // of a model
+    Method method = Method::automatic;  // automatic: exact
+    std::optional<Shape> shape{};       // where it is exact; neither shape nor mesh: unknown
+    Affine to_world{};                  // of shape or mesh
+};
+
+struct Shell {
+    ObjectId body;
+    int sign = 1; // +1: the body is inside; −1: a cavity of it
+    bool only = true; // the body has no other shell
+};
+
+struct Face {
+    std::string name; // "lens.front"
+    ObjectId body;
+    std::optional<SurfaceId> surface; // none: a clean boundary between two media
+};
+
+struct Scene {
+    std::vector<Medium> media;
+    std::vector<Surface> surfaces;
+    MediumId surroundings;
+    std::vector<Body> bodies;  // by ObjectId, and by the BVH's object
+    std::vector<Shell> shells; // by ShellId
+    std::vector<Face> faces;   // by FaceId
+    std::vector<SourceSpec> sources;
+    std::vector<DetectorSpec> detectors;
+    std::vector<std::string> models;   // files, as the experiment names them
+    std::vector<std::string> warnings;
+    Method mesh_method = Method::automatic; // what the experiment asks for
+    std::unique_ptr<Bvh const> bvh;
+};
+
+/// Reads the experiment's models and puts everything in its place. Throws InputError.
+Scene build_scene(Experiment const& experiment);
+
+/// The body that fills a place: of those that the shells belong to, the one of highest priority, of equals the later.
+std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside);
+
+/// What fills a place: the body's medium, or the surroundings.
+MediumId medium_at(Scene const& scene, ShellSet const& inside);
+
+} // namespace sahl

@@ -1,0 +1,125 @@
+#include "trace/interact.h"
+
+#include "math/overloaded.h"
+#include "math/random.h"
+#include "math/sequences.h"
+#include "optics/fresnel.h"
+#include "optics/snell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sahl {
+
+namespace {
+
+/// What one meeting needs to know; `normal` is the facing one that holds for both outgoing directions.
+struct Encounter {
+    dvec3 direction, normal;
+    double n_before, n_after;
+    Incidence incidence() const {
+        double const cosine = -dot(direction, normal);
+        return {cosine, length(direction + cosine * normal)};
+    }
+    Outgoing reflected(double share, Event event) const { return {reflect(direction, normal), share, event, false}; }
+};
+
+Branches dielectric(Encounter const& met) {
+    Branches branches;
+    auto const shares = fresnel_dielectric(met.incidence(), met.n_before, met.n_after);
+    auto const through = shares ? refract(met.direction, met.normal, met.n_before, met.n_after) : std::nullopt;
+    if (!through) {
+        branches.ended = Event::total_internal;
+        branches.outgoing.push_back(met.reflected(1.0, Event::total_internal));
+        return branches;
+    }
+    branches.ended = Event::refracted;
+    branches.outgoing.push_back({*through, shares->transmittance(), Event::refracted, true});
+    if (double const r = shares->reflectance(); r > 0.0)
+        branches.outgoing.push_back(met.reflected(r, Event::reflected));
+    return branches;
+}
+
+Branches constant_shares(Encounter const& met, double reflect_share, double transmit_share) {
+    Branches branches;
+    branches.absorbed = 1.0 - reflect_share - transmit_share;
+    branches.ended = Event::absorbed;
+    if (transmit_share > 0.0) {
+        if (auto const through = refract(met.direction, met.normal, met.n_before, met.n_after)) {
+            branches.ended = Event::refracted;
+            branches.outgoing.push_back({*through, transmit_share, Event::refracted, true});
+        } else { // refraction is impossible: that share reflects too
+            branches.ended = Event::total_internal;
+            branches.outgoing.push_back(met.reflected(reflect_share + transmit_share, Event::total_internal));
+            return branches;
+        }
+    }
+    if (reflect_share > 0.0) {
+        branches.ended = branches.outgoing.empty() ? Event::reflected : branches.ended;
+        branches.outgoing.push_back(met.reflected(reflect_share, Event::reflected));
+    }
+    return branches;
+}
+
+Branches metallic(Encounter const& met, std::complex<double> metal) {
+    FresnelShares const shares = fresnel_metal(met.incidence(), met.n_before, metal);
+    Branches branches;
+    branches.absorbed = shares.transmittance();
+    branches.ended = Event::reflected;
+    branches.outgoing.push_back(met.reflected(shares.reflectance(), Event::reflected));
+    return branches;
+}
+
+Branches diffuse(Encounter const& met, double reflectance, Draw const& draw) {
+    Branches branches;
+    branches.absorbed = 1.0 - reflectance;
+    branches.ended = Event::absorbed;
+    if (reflectance <= 0.0)
+        return branches;
+    // cosine law: a point of the unit disk, lifted onto the hemisphere (Malley's method)
+    dvec2 const disk = disk_from_square({uniform(draw.seed, draw.ray, draw.place, 1), uniform(draw.seed, draw.ray, draw.place, 2)});
+    dvec3 const x = perpendicular_to(met.normal);
+    dvec3 const y = cross(met.normal, x);
+    double const up = std::sqrt(std::max(0.0, 1.0 - dot(disk, disk)));
+    branches.ended = Event::scattered;
+    branches.outgoing.push_back(
+        {normalize(disk.x * x + disk.y * y + up * met.normal), reflectance, Event::scattered, false});
+    return branches;
+}
+
+/// An interpolated normal may send light to the wrong side of the triangle; then the triangle's own holds.
+bool keeps_sides(Branches const& branches, dvec3 const& facet_normal) {
+    return std::all_of(branches.outgoing.begin(), branches.outgoing.end(), [&](Outgoing const& out) {
+        double const side = dot(out.direction, facet_normal);
+        return out.crosses ? side < 0.0 : side > 0.0;
+    });
+}
+
+} // namespace
+
+Branches interact(Scene const& scene, WavelengthTable const& optics, Interface const& interface, dvec3 const& direction,
+                  MediumId medium, WavelengthId wavelength, Draw const& draw) {
+    auto const with = [&](dvec3 const& normal) {
+        Encounter const met{direction, normal, optics.index(medium, wavelength),
+                            optics.index(interface.medium_after, wavelength)};
+        if (!interface.surface)
+            return dielectric(met);
+        return std::visit(
+            Overloaded{
+                [&](Metal const&) { return metallic(met, optics.metal(*interface.surface, wavelength)); },
+                [&](Shares const& s) { return constant_shares(met, s.reflect, s.transmit); },
+                [&](Absorber const&) { return constant_shares(met, 0.0, 0.0); },
+                [&](Diffuse const& s) { return diffuse(met, s.reflectance, draw); },
+                [&](Paint const& s) { return constant_shares(met, s.reflect, 0.0); },
+            },
+            scene.surfaces[interface.surface->value].kind);
+    };
+    if (interface.normal == interface.facet_normal)
+        return with(interface.normal);
+    if (dot(direction, interface.normal) < 0.0)
+        if (Branches branches = with(interface.normal); keeps_sides(branches, interface.facet_normal))
+            return branches;
+    return with(interface.facet_normal);
+}
+
+} // namespace sahl

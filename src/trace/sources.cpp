@@ -1,0 +1,172 @@
+#include "trace/sources.h"
+
+#include "math/overloaded.h"
+#include "math/random.h"
+#include "math/sequences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sahl {
+
+namespace {
+
+enum Draw : std::uint32_t { first_coordinate = 11, second_coordinate = 12 }; // of the root's random numbers
+
+/// The points of a beam's pattern, in units of its radius, or of its size; empty where they are drawn by number.
+std::vector<dvec2> pattern_points(Beam const& beam) {
+    bool const round = beam.radius > 0.0;
+    dvec2 const unit = beam.size / std::max(beam.size.x, beam.size.y); // near-square cells
+    auto const scaled = [&](std::vector<dvec2> points) {
+        for (dvec2& p : points)
+            p = {unit.x > 0.0 ? p.x / unit.x : 0.0, unit.y > 0.0 ? p.y / unit.y : 0.0};
+        return points;
+    };
+    switch (beam.pattern) {
+    case Pattern::grid:
+        return round ? square_grid_in_disk(beam.rays) : scaled(square_grid_in_rectangle(beam.rays, unit));
+    case Pattern::hexagonal:
+        return round ? hexagonal_in_disk(beam.rays) : scaled(hexagonal_in_rectangle(beam.rays, unit));
+    case Pattern::fan: {
+        std::vector<dvec2> points = fan(beam.rays);
+        for (dvec2& p : points)
+            p *= round ? 1.0 : 0.5;
+        return points;
+    }
+    case Pattern::ring: {
+        std::vector<dvec2> points = ring(beam.rays);
+        for (dvec2& p : points)
+            p *= round ? 1.0 : 0.5;
+        return points;
+    }
+    case Pattern::random:
+    case Pattern::sobol:
+        return {};
+    }
+    return {};
+}
+
+/// A beam without extent is one ray along its axis.
+bool is_line(Beam const& beam) { return beam.radius == 0.0 && beam.size == dvec2(0.0); }
+
+dvec3 across(dvec3 const& toward, dvec3 const& up, dvec2 const& p) { return p.x * cross(up, toward) + p.y * up; }
+
+} // namespace
+
+Emission::Emission(std::vector<SourceSpec> const& sources, WavelengthTable const& optics, std::uint64_t seed)
+    : seed_(seed) {
+    for (SourceSpec const& spec : sources) {
+        Prepared source;
+        source.spec = &spec;
+        double total = 0.0;
+        for (auto const& [wavelength, weight] : spec.wavelengths)
+            total += weight;
+        for (auto const& [wavelength, weight] : spec.wavelengths) {
+            source.wavelengths.push_back(optics.id_of(wavelength));
+            source.wavelength_share.push_back(weight / total);
+        }
+        std::visit(Overloaded{
+                       [&](Beam const& beam) {
+                           source.rays = beam.rays;
+                           if (is_line(beam))
+                               source.points.assign(beam.rays, dvec2(0.0));
+                           else
+                               source.points = pattern_points(beam);
+                           if (!source.points.empty())
+                               source.rays = source.points.size();
+                       },
+                       [&](PointEmitter const& emitter) { source.rays = emitter.rays; },
+                       [&](LambertianEmitter const& emitter) { source.rays = emitter.rays; },
+                       [&](ExplicitRays const& rays) { source.rays = rays.rays.size(); },
+                   },
+                   spec.emitter);
+        sources_.push_back(std::move(source));
+        Prepared& prepared = sources_.back();
+        Beam const* const beam = std::get_if<Beam>(&spec.emitter);
+        bool const equal = !std::holds_alternative<ExplicitRays>(spec.emitter) && !(beam && beam->gaussian_radius);
+        prepared.weights = equal ? static_cast<double>(prepared.rays) : 0.0;
+        for (std::uint64_t i = 0; !equal && i < prepared.rays; ++i)
+            prepared.weights += weight(prepared, beam ? point(prepared, i, first_.back() + i) : dvec2(0.0), i);
+        first_.push_back(first_.back() + prepared.rays * prepared.wavelengths.size());
+    }
+}
+
+dvec2 Emission::point(Prepared const& source, std::uint64_t number, std::uint64_t ray) const {
+    if (!source.points.empty())
+        return source.points[number];
+    bool const sobol = std::visit(Overloaded{[](Beam const& b) { return b.pattern == Pattern::sobol; },
+                                             [](auto const&) { return true; }},
+                                  source.spec->emitter);
+    dvec2 const square = sobol ? sobol_2d(static_cast<std::uint32_t>(number), mix64(seed_))
+                               : dvec2(uniform(seed_, ray, 0, first_coordinate), uniform(seed_, ray, 0, second_coordinate));
+    Beam const* const beam = std::get_if<Beam>(&source.spec->emitter);
+    if (!beam)
+        return square;
+    return beam->radius > 0.0 ? disk_from_square(square) : square - 0.5;
+}
+
+double Emission::weight(Prepared const& source, dvec2 const& point, std::uint64_t number) const {
+    if (auto const* const rays = std::get_if<ExplicitRays>(&source.spec->emitter))
+        return rays->rays[number].weight;
+    auto const* const beam = std::get_if<Beam>(&source.spec->emitter);
+    if (!beam || !beam->gaussian_radius)
+        return 1.0;
+    dvec2 const at = beam->radius > 0.0 ? beam->radius * point : beam->size * point;
+    return std::exp(-2.0 * dot(at, at) / (*beam->gaussian_radius * *beam->gaussian_radius));
+}
+
+Ray Emission::ray(std::uint64_t number) const {
+    auto const next = std::upper_bound(first_.begin(), first_.end(), number);
+    auto const index = static_cast<std::size_t>(next - first_.begin()) - 1;
+    Prepared const& source = sources_[index];
+    std::uint64_t const within = number - first_[index];
+    std::uint64_t const colour = within / source.rays, i = within % source.rays;
+    Ray ray;
+    ray.source = {static_cast<std::uint32_t>(index)};
+    ray.wavelength = source.wavelengths[colour];
+    std::visit(Overloaded{
+                   [&](Beam const& beam) {
+                       dvec2 const p = point(source, i, number);
+                       ray.origin = beam.from + across(beam.toward, beam.up, beam.radius > 0.0 ? beam.radius * p : beam.size * p);
+                       ray.direction = beam.toward;
+                       ray.power = weight(source, p, i);
+                   },
+                   [&](PointEmitter const& emitter) { // uniform in the cosine and in azimuth
+                       dvec2 const p = point(source, i, number);
+                       double const half = std::sin(0.5 * emitter.half_angle);
+                       double const drop = 2.0 * half * half * p.x; // 1 − cos
+                       double const side = std::sqrt(drop * (2.0 - drop)), azimuth = 2.0 * std::numbers::pi * p.y;
+                       dvec2 const circle(side * std::cos(azimuth), side * std::sin(azimuth));
+                       ray.origin = emitter.at;
+                       ray.direction = normalize((1.0 - drop) * emitter.toward + across(emitter.toward, emitter.up, circle));
+                       ray.power = 1.0;
+                   },
+                   [&](LambertianEmitter const& emitter) {
+                       dvec2 const p = point(source, i, number);
+                       dvec2 const disk = disk_from_square({uniform(seed_, number, 0, first_coordinate),
+                                                            uniform(seed_, number, 0, second_coordinate)});
+                       double const up = std::sqrt(std::max(0.0, 1.0 - dot(disk, disk)));
+                       ray.origin = emitter.at + across(emitter.toward, emitter.up, emitter.size * (p - 0.5));
+                       ray.direction = normalize(up * emitter.toward + across(emitter.toward, emitter.up, disk));
+                       ray.power = 1.0;
+                   },
+                   [&](ExplicitRays const& rays) {
+                       ray.origin = rays.rays[i].origin;
+                       ray.direction = rays.rays[i].direction;
+                       ray.power = rays.rays[i].weight;
+                   },
+               },
+               source.spec->emitter);
+    ray.power *= source.spec->power * source.wavelength_share[colour] / source.weights;
+    return ray;
+}
+
+double Emission::power() const {
+    double sum = 0.0;
+    for (Prepared const& source : sources_)
+        sum += source.spec->power;
+    return sum;
+}
+
+} // namespace sahl

@@ -1,0 +1,261 @@
+#include "trace/tracer.h"
+
+#include "math/random.h"
+#include "trace/branch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sahl {
+
+namespace {
+
+/// Rays whose trees grow together, generation by generation; few enough that their branches stay in the cache.
+constexpr std::uint32_t rays_together = 128;
+
+bool finite(dvec3 const& v) { return std::isfinite(v.x + v.y + v.z); }
+
+/// The trees of a group of rays, grown breadth first.
+class Grove {
+  public:
+    Grove(TraceContext const& context, BatchResult& result) : context_(context), result_(result) {}
+
+    void grow(std::uint64_t first, std::uint32_t count);
+
+  private:
+    void plant(std::uint64_t first, std::uint32_t count);
+    void trace(Branch const& branch);
+    Event cut_or_none(Branch const& branch) const;
+    double attenuate(Branch const& branch, double length);
+    void detect(Branch const& branch, Interface const& interface, double power, double optical_path);
+    void push_children(Branch const& branch, Interface const& interface, Branches branches, double power,
+                       double optical_path);
+    void pass_on(Branch const& branch, Interface const& interface, double power, double optical_path);
+    void end(Branch const& branch, Event ended, double power, double length, double optical_path,
+             Interface const* interface);
+    void lose(Branch const& branch, Event event, double power, double t);
+
+    TraceContext const& context_;
+    BatchResult& result_;
+    std::uint64_t first_ = 0;
+    std::vector<Ray> rays_;
+    std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
+    std::vector<Branch> generation_, next_generation_;
+    std::vector<Segment> segments_;
+};
+
+void Grove::grow(std::uint64_t first, std::uint32_t count) {
+    plant(first, count);
+    std::size_t const hits_before = result_.hits.size();
+    while (!generation_.empty()) {
+        for (Branch const& branch : generation_)
+            trace(branch);
+        std::swap(generation_, next_generation_);
+        next_generation_.clear();
+    }
+    // generations lie one after another: put each ray's pieces together, their order kept
+    auto const by_ray = [](auto const& a, auto const& b) { return a.ray < b.ray; };
+    std::stable_sort(result_.hits.begin() + static_cast<std::ptrdiff_t>(hits_before), result_.hits.end(), by_ray);
+    std::stable_sort(segments_.begin(), segments_.end(), by_ray);
+    auto& log = result_.log.segments;
+    log.insert(log.end(), segments_.begin(), segments_.end());
+    segments_.clear();
+}
+
+void Grove::plant(std::uint64_t first, std::uint32_t count) {
+    first_ = first;
+    rays_.clear();
+    next_index_.assign(count, 0);
+    generation_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Ray const ray = context_.emission.ray(first + i);
+        rays_.push_back(ray);
+        result_.tally.emitted.add(ray.power, context_.unit);
+        Branch root;
+        root.origin = ray.origin;
+        root.direction = ray.direction;
+        root.power = ray.power;
+        root.ray = i;
+        if (finite(ray.origin) && finite(ray.direction)) {
+            Bvh::Start const start = context_.scene.bvh->start_at(ray.origin, ray.direction);
+            root.inside = start.inside;
+            root.left = start.on;
+            root.fate = start.fits ? Event::none : Event::invalid;
+        } else {
+            root.fate = Event::invalid;
+        }
+        root.medium = medium_at(context_.scene, root.inside);
+        generation_.push_back(root);
+    }
+}
+
+Event Grove::cut_or_none(Branch const& branch) const {
+    if (branch.fate != Event::none)
+        return branch.fate;
+    if (!finite(branch.origin) || !finite(branch.direction) || !std::isfinite(branch.power))
+        return Event::invalid;
+    if (branch.depth > context_.options.max_depth)
+        return Event::cut_depth;
+    return branch.power < context_.options.min_power * rays_[branch.ray].power ? Event::cut_power : Event::none;
+}
+
+void Grove::trace(Branch const& branch) {
+    if (Event const fate = cut_or_none(branch); fate != Event::none) {
+        if (fate == Event::invalid)
+            return lose(branch, fate, branch.power, 0.0);
+        result_.tally.cut.add(branch.power, context_.unit);
+        return end(branch, fate, branch.power, 0.0, branch.optical_path, nullptr);
+    }
+    Interface interface;
+    Meeting const meeting = next_interface(context_.scene, branch.origin, branch.direction, branch.inside, branch.medium,
+                                           branch.left, interface);
+    if (meeting == Meeting::leak || meeting == Meeting::too_deep)
+        return lose(branch, meeting == Meeting::leak ? Event::leak : Event::invalid, branch.power, interface.t);
+    WavelengthId const wavelength = rays_[branch.ray].wavelength;
+    if (meeting == Meeting::nothing) {
+        result_.tally.escape(branch.power, branch.direction, wavelength);
+        return end(branch, Event::escaped, branch.power, INFINITY, INFINITY, nullptr);
+    }
+    double const optical_path = branch.optical_path + context_.optics.index(branch.medium, wavelength) * interface.t;
+    double const power = attenuate(branch, interface.t);
+    if (interface.detector) {
+        DetectorSpec const& detector = context_.scene.detectors[interface.detector->value];
+        bool const counts = interface.against_facing || detector.back;
+        if (counts)
+            detect(branch, interface, power, optical_path);
+        if (!detector.absorbs) {
+            pass_on(branch, interface, power, optical_path);
+            return end(branch, Event::passed, power, interface.t, optical_path, &interface);
+        }
+        (counts ? result_.tally.detected : result_.tally.absorbed).add(power, context_.unit);
+        if (!counts) // the back of an absorbing detector is black
+            result_.tally.absorbed_at_face[interface.face.value].add(power, context_.unit);
+        return end(branch, counts ? Event::detected : Event::absorbed, power, interface.t, optical_path, &interface);
+    }
+    Draw const draw{context_.options.seed, first_ + branch.ray, branch.place};
+    Branches const branches =
+        interact(context_.scene, context_.optics, interface, branch.direction, branch.medium, wavelength, draw);
+    if (branches.absorbed > 0.0) {
+        result_.tally.absorbed.add(power * branches.absorbed, context_.unit);
+        result_.tally.absorbed_at_face[interface.face.value].add(power * branches.absorbed, context_.unit);
+    }
+    push_children(branch, interface, branches, power, optical_path);
+    end(branch, branches.ended, power, interface.t, optical_path, &interface);
+}
+
+/// Beer–Lambert on the way; counts what is lost and returns what arrives.
+double Grove::attenuate(Branch const& branch, double length) {
+    double const coefficient = context_.optics.absorption(branch.medium, rays_[branch.ray].wavelength);
+    if (coefficient == 0.0)
+        return branch.power;
+    double const arrives = branch.power * std::exp(-coefficient * length);
+    double const lost = branch.power - arrives;
+    result_.tally.absorbed.add(lost, context_.unit);
+    auto const body = body_at(context_.scene, branch.inside);
+    auto& in_body = result_.tally.absorbed_in_body;
+    (body ? in_body[body->value] : in_body.back()).add(lost, context_.unit);
+    return arrives;
+}
+
+void Grove::detect(Branch const& branch, Interface const& interface, double power, double optical_path) {
+    DetectorSpec const& detector = context_.scene.detectors[interface.detector->value];
+    dvec3 const from_centre = interface.point - detector.to_world.offset;
+    Ray const& ray = rays_[branch.ray];
+    result_.hits.push_back({*interface.detector,
+                            ray.wavelength,
+                            ray.source,
+                            first_ + branch.ray,
+                            {dot(from_centre, detector.to_world.linear[0]), dot(from_centre, detector.to_world.linear[1])},
+                            branch.direction,
+                            power,
+                            optical_path});
+}
+
+void Grove::push_children(Branch const& branch, Interface const& interface, Branches branches, double power,
+                          double optical_path) {
+    InlineVector<double, 2> powers;
+    InlineVector<Event, 2> fates;
+    Draw const draw{context_.options.seed, first_ + branch.ray, branch.place};
+    choose(branches, context_.options, power, rays_[branch.ray].power, branch.depth, draw, powers, fates);
+    for (std::size_t i = 0; i < branches.outgoing.size(); ++i) {
+        Outgoing const& outgoing = branches.outgoing[i];
+        Branch& child = next_generation_.emplace_back();
+        child.origin = interface.point;
+        child.direction = outgoing.direction;
+        child.power = powers[i];
+        child.optical_path = optical_path;
+        child.place = child_place(branch.place, outgoing.crosses ? 0 : 1);
+        child.ray = branch.ray;
+        child.parent = static_cast<std::int32_t>(next_index_[branch.ray]);
+        child.medium = outgoing.crosses ? interface.medium_after : branch.medium;
+        child.depth = static_cast<std::uint16_t>(branch.depth + 1);
+        child.born = outgoing.event;
+        child.fate = fates[i];
+        child.inside = outgoing.crosses ? interface.inside_after : interface.inside_before;
+        child.left = interface.left;
+    }
+}
+
+/// Behind a detector that lets light pass, the branch goes on as it was.
+void Grove::pass_on(Branch const& branch, Interface const& interface, double power, double optical_path) {
+    Branch& child = next_generation_.emplace_back(branch);
+    child.origin = interface.point;
+    child.power = power;
+    child.optical_path = optical_path;
+    child.place = child_place(branch.place, 0);
+    child.parent = static_cast<std::int32_t>(next_index_[branch.ray]);
+    child.depth = static_cast<std::uint16_t>(branch.depth + 1);
+    child.born = Event::passed;
+    child.inside = interface.inside_after;
+    child.left = interface.left;
+}
+
+void Grove::lose(Branch const& branch, Event event, double power, double t) {
+    result_.tally.error.add(std::isfinite(power) ? power : 0.0, context_.unit);
+    result_.lost.push_back({first_ + branch.ray, event, branch.origin, power});
+    end(branch, event, power, t, branch.optical_path, nullptr);
+}
+
+void Grove::end(Branch const& branch, Event ended, double power, double length, double optical_path,
+                Interface const* interface) {
+    ++result_.tally.ended[static_cast<std::size_t>(ended)];
+    std::uint32_t const index = next_index_[branch.ray]++;
+    std::uint64_t const number = first_ + branch.ray;
+    if (context_.log_every == 0 || number % context_.log_every != 0)
+        return;
+    Ray const& ray = rays_[branch.ray];
+    Segment& segment = segments_.emplace_back();
+    segment.ray = number;
+    segment.index = index;
+    segment.parent = branch.parent;
+    segment.depth = branch.depth;
+    segment.born = branch.born;
+    segment.ended = ended;
+    segment.surface = interface ? static_cast<std::int32_t>(interface->face.value) : -1;
+    segment.primitive = interface ? interface->primitive : -1;
+    segment.medium = static_cast<std::uint16_t>(branch.medium.value);
+    segment.source = static_cast<std::uint16_t>(ray.source.value);
+    segment.wavelength = context_.optics.wavelengths()[ray.wavelength.value];
+    segment.origin = branch.origin;
+    segment.direction = branch.direction;
+    segment.length = length;
+    segment.optical_path = optical_path;
+    segment.power_start = branch.power;
+    segment.power_end = power;
+}
+
+} // namespace
+
+BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count) {
+    BatchResult result{Tally(context.unit, context.scene.bodies.size(), context.scene.faces.size(),
+                             context.optics.wavelengths().size()),
+                       {},
+                       {},
+                       {}};
+    Grove grove(context, result);
+    for (std::uint64_t done = 0; done < count; done += rays_together)
+        grove.grow(first + done, static_cast<std::uint32_t>(std::min<std::uint64_t>(rays_together, count - done)));
+    return result;
+}
+
+} // namespace sahl

@@ -1,0 +1,59 @@
+// In: a scene and rays. Out: their trees of branches: what became of their power, what reached the detectors, and,
+// if asked, every segment.
+#pragma once
+
+#include "scene/scene.h"
+#include "trace/segment.h"
+#include "trace/sources.h"
+#include "trace/tally.h"
+#include "trace/wavelengths.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace sahl {
+
+/// Light that met a detector on the side that counts.
+struct DetectorHit {
+    DetectorId detector;
+    WavelengthId wavelength;
+    SourceId source;
+    std::uint64_t ray = 0;
+    dvec2 at{0.0};           // m, from the detector's centre, along its x and y
+    dvec3 direction{0.0};    // world
+    double power = 0.0;      // W
+    double optical_path = 0.0; // m
+};
+
+/// A ray that was lost, and where.
+struct LostRay {
+    std::uint64_t ray = 0;
+    Event event = Event::leak;
+    dvec3 at{0.0};
+    double power = 0.0; // W
+};
+
+/// What a batch of rays leaves behind.
+struct BatchResult {
+    Tally tally;
+    std::vector<DetectorHit> hits; // by ray, then in the order of the tree
+    std::vector<LostRay> lost;
+    SegmentBatch log;              // empty unless asked for
+};
+
+/// What tracing needs to know, all by reference; nothing is changed.
+struct TraceContext {
+    Scene const& scene;
+    WavelengthTable const& optics;
+    Emission const& emission;
+    TraceOptions const& options;
+    SumUnit unit;
+    std::uint64_t log_every = 0; // 0: no log; 1: every ray; n: each n-th
+};
+
+inline constexpr std::uint64_t rays_per_batch = 4096;
+
+/// Rays [first, first + count). The result does not depend on how rays are grouped into calls.
+BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count);
+
+} // namespace sahl
