@@ -1,4 +1,5 @@
-// In: the program's option parser. Out: its commands, each of which runs from its callback and writes its exit status.
+// In: the program's option parser. Out: its commands, each of which runs from its callback and writes its
+// exit status.
 #pragma once
 
 namespace CLI {

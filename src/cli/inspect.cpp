@@ -20,9 +20,12 @@ void add_check(CLI::App& app, int& status) {
         bool json = false;
     };
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* const command = app.add_subcommand("check", "What is in an experiment or a model, and what would go wrong");
+    CLI::App* const command =
+        app.add_subcommand("check", "What is in an experiment or a model, and what would go wrong");
     command->add_option("file", arguments->file, "An experiment file, or a model (.gltf, .glb)")->required();
-    command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")->take_all()->allow_extra_args(false);
+    command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_flag("--json", arguments->json, "As JSON on standard output");
     command->callback([arguments, &status] {
         std::string const ending = std::filesystem::path(arguments->file).extension().string();
@@ -40,7 +43,8 @@ void add_explain(CLI::App& app, int& status) {
         std::uint64_t ray = 0;
     };
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* const command = app.add_subcommand("explain", "One ray's tree as text, with the reason for every split");
+    CLI::App* const command =
+        app.add_subcommand("explain", "One ray's tree as text, with the reason for every split");
     command->add_option("log", arguments->log, "The folder of a run, or its rays.h5")->required();
     command->add_option("--ray", arguments->ray, "The ray's number, from 0")->required();
     command->callback([arguments, &status] {
@@ -48,7 +52,8 @@ void add_explain(CLI::App& app, int& status) {
         auto const tree = reader.read_ray(arguments->ray);
         if (tree.empty())
             throw InputError(arguments->log, "has no ray " + std::to_string(arguments->ray),
-                             reader.rays() == 0 ? "the log is empty" : "its last is ray " + std::to_string(reader.rays() - 1));
+                             reader.rays() == 0 ? "the log is empty"
+                                                : "its last is ray " + std::to_string(reader.rays() - 1));
         std::cout << explain_ray(reader.header(), tree);
         status = 0;
     });
@@ -65,7 +70,8 @@ void add_export(CLI::App& app, int& status) {
     command->callback([arguments, &status] {
         std::filesystem::path const to = arguments->to;
         if (to.extension() != ".csv")
-            throw InputError(to.string(), "this version exports to .csv only", "give a name that ends in .csv");
+            throw InputError(to.string(), "this version exports to .csv only",
+                             "give a name that ends in .csv");
         export_csv(RayLogReader(arguments->log), to);
         status = 0;
     });

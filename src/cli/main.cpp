@@ -1,4 +1,5 @@
-// In: the command line. Out: the exit status: 0 done; 2 wrong usage; 3 bad input; 4 done, but a check of physics failed.
+// In: the command line. Out: the exit status: 0 done; 2 wrong usage; 3 bad input; 4 done, but a check of
+// physics failed.
 #include "cli/commands.h"
 
 #include "math/input_error.h"
@@ -10,7 +11,8 @@
 #include <iostream>
 
 int main(int argc, char** argv) {
-    CLI::App app("Traces light through glass and mirrors: every ray splits into a tree by Snell and Fresnel.", "sahl");
+    CLI::App app("Traces light through glass and mirrors: every ray splits into a tree by Snell and Fresnel.",
+                 "sahl");
     app.set_version_flag("--version", sahl::program_name());
     app.require_subcommand(1);
     int status = 0;

@@ -27,8 +27,8 @@ void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
     double const elapsed = std::chrono::duration<double>(now - start_).count();
     double const remaining = elapsed * static_cast<double>(total - done) / static_cast<double>(done);
     std::fprintf(stderr, "\r\033[K%s: %.0f %% of %llu rays, %.0f s left", label_.c_str(),
-                 100.0 * static_cast<double>(done) / static_cast<double>(total), static_cast<unsigned long long>(total),
-                 remaining);
+                 100.0 * static_cast<double>(done) / static_cast<double>(total),
+                 static_cast<unsigned long long>(total), remaining);
     std::fflush(stderr);
 }
 

@@ -46,9 +46,9 @@ void print_summary(RunResult const& result, std::filesystem::path const& out) {
     Value const& summary = result.summary;
     Value const& energy = *summary.find("energy_W");
     std::printf("%s\n", std::get<std::string>(summary.find("title")->data).c_str());
-    std::printf("  %.0f rays, %.0f segments in %.3g s (%.3g million a second)\n", number(summary.find("rays")),
-                number(summary.find("segments")), number(summary.find("seconds")),
-                number(summary.find("segments_per_second")) * 1e-6);
+    std::printf("  %.0f rays, %.0f segments in %.3g s (%.3g million a second)\n",
+                number(summary.find("rays")), number(summary.find("segments")),
+                number(summary.find("seconds")), number(summary.find("segments_per_second")) * 1e-6);
     double const emitted = number(energy.find("emitted"));
     std::printf("  emitted %.9g W =", emitted);
     char const* plus = "";
@@ -97,14 +97,19 @@ int run_trace(TraceArguments const& arguments) {
 
 void add_trace(CLI::App& app, int& status) {
     auto arguments = std::make_shared<TraceArguments>();
-    CLI::App* const command = app.add_subcommand("trace", "Run an experiment: summary, detectors, report, and a log of the rays if asked for");
-    command->add_option("experiment", arguments->experiment, "The experiment file (TOML, or JSON)")->required();
+    CLI::App* const command = app.add_subcommand(
+        "trace", "Run an experiment: summary, detectors, report, and a log of the rays if asked for");
+    command->add_option("experiment", arguments->experiment, "The experiment file (TOML, or JSON)")
+        ->required();
     command->add_option("--out", arguments->out, "Folder of the results (default: out/<experiment name>)");
-    command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment, e.g. object.prism.turn_deg[2]=10")
+    command
+        ->add_option("--set", arguments->set,
+                     "KEY=VALUE: set a key of the experiment, e.g. object.prism.turn_deg[2]=10")
         ->take_all()
         ->allow_extra_args(false);
     command->add_option("--seed", arguments->seed, "Seed of the random numbers");
-    command->add_option("--threads", arguments->threads, "Threads; 0: all there are. The results are the same");
+    command->add_option("--threads", arguments->threads,
+                        "Threads; 0: all there are. The results are the same");
     command->add_option("--tolerance", arguments->tolerance, "The direction error you can bear, rad");
     command->add_option("--method", arguments->method, "How meshes are met: auto, facet, interpolated");
     command->add_option("--log", arguments->log, "none, or a file for the log of the rays");

@@ -26,13 +26,15 @@ struct Bvh::State {
 
 namespace {
 
-/// Below this many objects asking each is quicker than a hierarchy of boxes (measured: six spheres against Embree).
+/// Below this many objects asking each is quicker than a hierarchy of boxes (measured: six spheres against
+/// Embree).
 constexpr std::size_t few = 6;
 
 bool overlap(Placed const& a, Placed const& b) {
     if (!a.bounded || !b.bounded)
         return true;
-    double const margin = 1e-9 * (length(a.box.high - a.box.low) + length(b.box.high - b.box.low)); // far above rounding
+    double const margin =
+        1e-9 * (length(a.box.high - a.box.low) + length(b.box.high - b.box.low)); // far above rounding
     return glm::all(glm::lessThanEqual(a.box.low, b.box.high + margin)) &&
            glm::all(glm::lessThanEqual(b.box.low, a.box.high + margin));
 }
@@ -41,7 +43,8 @@ std::vector<std::pair<FaceId, FaceId>> find_contacts(std::vector<Placed> const& 
     std::vector<std::pair<FaceId, FaceId>> contacts;
     for (std::size_t i = 0; i < objects.size(); ++i)
         for (std::size_t j = i + 1; j < objects.size(); ++j) {
-            Placed const& a = objects[i].bounded ? objects[i] : objects[j]; // the reach is that of a bounded one
+            Placed const& a =
+                objects[i].bounded ? objects[i] : objects[j]; // the reach is that of a bounded one
             Placed const& b = objects[i].bounded ? objects[j] : objects[i];
             if (!a.exact() || !b.exact() || !overlap(a, b))
                 continue;
@@ -114,20 +117,21 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         Placed const& object = state.objects[index];
         if (std::find(left.begin(), left.end(), index) != left.end())
             return;
-        std::optional<Candidate> found;
-        contradiction = std::min(contradiction, object.next(origin, direction, inside, {from, horizon}, found));
-        if (!found)
+        Candidate found;
+        contradiction =
+            std::min(contradiction, object.next(origin, direction, inside, {from, horizon}, found));
+        if (found.t == INFINITY)
             return;
-        found->object = index;
+        found.object = index;
         if (candidates.full()) { // keep the nearer ones
             auto* const farthest = std::max_element(candidates.begin(), candidates.end(),
                                                     [](auto const& a, auto const& b) { return a.t < b.t; });
-            if (found->t >= farthest->t)
+            if (found.t >= farthest->t)
                 return;
             candidates.erase(farthest);
         }
-        candidates.push_back(*found);
-        horizon = std::min(horizon, found->t + 2.0 * std::min(found->blur, std::abs(found->t) + 1.0));
+        candidates.push_back(found);
+        horizon = std::min(horizon, found.t + 2.0 * std::min(found.blur, std::abs(found.t) + 1.0));
     };
 
     for (std::uint32_t const index : state.unbounded)
@@ -154,12 +158,20 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         hit.t = contradiction;
         return hit;
     }
+    if (candidates.size() == 1 && contradiction >= candidates.front().t) { // as nearly always
+        Candidate const& only = candidates.front();
+        hit.at_one_place.push_back(state.objects[only.object].finished(only, origin, direction));
+        hit.t = std::max(only.t, from);
+        hit.blur = only.blur;
+        return hit;
+    }
     auto const rank = [&](Candidate const& c) {
         return std::tuple(!state.objects[c.object].geometry.detector, !c.open, c.object);
     };
-    Candidate const nearest = *std::min_element(candidates.begin(), candidates.end(), [&](auto const& a, auto const& b) {
-        return std::pair(a.t, rank(a)) < std::pair(b.t, rank(b));
-    });
+    Candidate const nearest =
+        *std::min_element(candidates.begin(), candidates.end(), [&](auto const& a, auto const& b) {
+            return std::pair(a.t, rank(a)) < std::pair(b.t, rank(b));
+        });
     if (contradiction < nearest.t) {
         hit.proof = Proof::leak;
         hit.t = contradiction;
@@ -170,10 +182,9 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
     };
     InlineVector<Candidate, 8> together;
     for (Candidate const& c : candidates)
-        if (c.object == nearest.object ||
-            (c.t <= nearest.t + nearest.blur + c.blur && state.touch(face_of(c), face_of(nearest)) && !together.full()))
-            together.push_back(c);
-    std::sort(together.begin(), together.end(), [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
+        if (c.object == nearest.object || (c.t <= nearest.t + nearest.blur + c.blur &&
+                                           state.touch(face_of(c), face_of(nearest)) && !together.full()))
+            together.insert_sorted(c, [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
     for (Candidate const& c : together)
         hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction));
     hit.t = std::max(nearest.t, from);
@@ -185,18 +196,22 @@ Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
     Start start;
     for (std::uint32_t index = 0; index < state_->objects.size(); ++index) {
         Placed const& object = state_->objects[index];
-        if (!object.bounded || !misses(object.box, point, direction, -1e-12 * length(point), 1e-12 * length(point)))
+        if (!object.bounded ||
+            !misses(object.box, point, direction, -1e-12 * length(point), 1e-12 * length(point)))
             object.start(point, direction, index, start);
     }
     return start;
 }
 
-std::vector<std::pair<FaceId, FaceId>> const& Bvh::contacts() const { return state_->contacts; }
+std::vector<std::pair<FaceId, FaceId>> const& Bvh::contacts() const {
+    return state_->contacts;
+}
 
 std::pair<dvec3, dvec3> Bvh::bounds() const {
     Bounds all{dvec3(INFINITY), dvec3(-INFINITY)};
     for (std::uint32_t const index : state_->bounded)
-        all = {glm::min(all.low, state_->objects[index].box.low), glm::max(all.high, state_->objects[index].box.high)};
+        all = {glm::min(all.low, state_->objects[index].box.low),
+               glm::max(all.high, state_->objects[index].box.high)};
     return {all.low, all.high};
 }
 

@@ -1,5 +1,5 @@
-// In: exact shapes and meshes with their places in the world, and a ray. Out: the crossings at the next place it meets.
-// Two levels: the world finds objects, each object is met in its own frame, in double.
+// In: exact shapes and meshes with their places in the world, and a ray. Out: the crossings at the next place
+// it meets. Two levels: the world finds objects, each object is met in its own frame, in double.
 #pragma once
 
 #include "geometry/mesh.h"
@@ -20,16 +20,17 @@ namespace sahl {
 struct PlacedGeometry {
     std::variant<Shape, std::shared_ptr<Mesh const>> geometry;
     Affine to_world;
-    FaceId first_face;        // its faces have consecutive numbers from here
-    ShellId first_shell;      // its shells too; an open shape has none
-    bool detector = false;    // met before whatever else lies at the same place
-    bool interpolate = false; // a mesh's normals are those of its vertices, weighted, not those of its triangles
+    FaceId first_face;     // its faces have consecutive numbers from here
+    ShellId first_shell;   // its shells too; an open shape has none
+    bool detector = false; // met before whatever else lies at the same place
+    bool interpolate =
+        false; // a mesh's normals are those of its vertices, weighted, not those of its triangles
 };
 
 struct Crossing {
     double t = 0.0;
     FaceId face;
-    ShellId shell;               // of a closed geometry
+    ShellId shell; // of a closed geometry
     bool open = false;
     bool detector = false;
     bool enters = false;         // the volume that the shell encloses
@@ -42,11 +43,12 @@ struct Crossing {
 
 enum class Proof : std::uint8_t {
     clean, // what was met fits what the ray was in
-    leak,  // it does not: a shell that the ray is in is never left, or one that it is not in is met from inside
+    leak,  // it does not: a shell that the ray is in is never left, or one that it is not in is met from
+           // inside
 };
 
-/// Crossings that coincide, in the order in which they count: detectors, other open surfaces, bodies. Empty: nothing is
-/// met. After a leak `t` tells where the contradiction shows.
+/// Crossings that coincide, in the order in which they count: detectors, other open surfaces, bodies. Empty:
+/// nothing is met. After a leak `t` tells where the contradiction shows.
 struct NextHit {
     InlineVector<Crossing, 8> at_one_place;
     double t = 0.0;
@@ -55,7 +57,7 @@ struct NextHit {
 };
 
 /// Open geometries that a ray has met at the place it starts from: they are not met again from there.
-using LeftSheets = InlineVector<std::uint32_t, 6>;
+using LeftSheets = InlineVector<std::uint32_t, 7>;
 
 class Bvh {
   public:
@@ -70,8 +72,8 @@ class Bvh {
     NextHit next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
                  double from = 0.0) const;
 
-    /// The shells that a ray starting there is in: an exact count of crossings. A start on a boundary belongs to the side
-    /// that the ray heads for. `fits` is false where there are more than a ShellSet can hold.
+    /// The shells that a ray starting there is in: an exact count of crossings. A start on a boundary belongs
+    /// to the side that the ray heads for. `fits` is false where there are more than a ShellSet can hold.
     struct Start {
         ShellSet inside;
         LeftSheets on; // open geometries that the ray starts on

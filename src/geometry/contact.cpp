@@ -10,8 +10,8 @@ namespace sahl {
 
 namespace {
 
-/// Ulps that placing a shape may cost: scaling, three rotations, a group or two and a translation round each coordinate
-/// some ten times, and two shapes are compared.
+/// Ulps that placing a shape may cost: scaling, three rotations, a group or two and a translation round each
+/// coordinate some ten times, and two shapes are compared.
 constexpr double placement_ulps = 32.0;
 
 double size_of(dmat3 const& m) {
@@ -45,7 +45,8 @@ std::optional<Carrier> mapped(Carrier const& carrier, Affine const& map) {
             },
             [&](SphereCarrier const& sphere) {
                 auto const scale = scale_of(map.linear);
-                return scale ? Result(SphereCarrier{map.point(sphere.centre), *scale * sphere.radius}) : std::nullopt;
+                return scale ? Result(SphereCarrier{map.point(sphere.centre), *scale * sphere.radius})
+                             : std::nullopt;
             },
             [&](TubeCarrier const& tube) {
                 auto const scale = scale_of(map.linear);
@@ -70,10 +71,12 @@ Carrier carrier_of(Region const& region) {
     }
 }
 
-Carrier sheet_carrier() { return PlaneCarrier{{0.0, 0.0, 1.0}, 0.0}; }
+Carrier sheet_carrier() {
+    return PlaneCarrier{{0.0, 0.0, 1.0}, 0.0};
+}
 
-bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other, Affine const& other_to_world,
-              double reach) {
+bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other,
+              Affine const& other_to_world, double reach) {
     if (one.index() != other.index())
         return false;
     Affine const to_one = inverse(one_to_world);
@@ -81,31 +84,33 @@ bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& oth
     if (!seen)
         return false;
     // the coordinates that were rounded on the way, in the frame of the first
-    double const coordinates = reach + length(to_one.offset) + size_of(to_one.linear) * length(other_to_world.offset);
+    double const coordinates =
+        reach + length(to_one.offset) + size_of(to_one.linear) * length(other_to_world.offset);
     double const ulp = placement_ulps * std::numeric_limits<double>::epsilon();
     double const distance = ulp * coordinates;
-    return std::visit(
-        Overloaded{
-            [&](PlaneCarrier const& a) {
-                auto const& b = std::get<PlaneCarrier>(*seen);
-                double const sign = dot(a.normal, b.normal) < 0.0 ? -1.0 : 1.0;
-                return length(a.normal - sign * b.normal) * reach <= distance &&
-                       std::abs(a.offset - sign * b.offset) <= distance;
-            },
-            [&](SphereCarrier const& a) {
-                auto const& b = std::get<SphereCarrier>(*seen);
-                double const allowed = distance + ulp * (a.radius + length(a.centre));
-                return length(a.centre - b.centre) <= allowed && std::abs(a.radius - b.radius) <= allowed;
-            },
-            [&](TubeCarrier const& a) {
-                auto const& b = std::get<TubeCarrier>(*seen);
-                dvec3 const between = b.point - a.point;
-                double const allowed = distance + ulp * (a.radius + length(between));
-                return length(cross(a.axis, b.axis)) * (reach + length(between)) <= allowed &&
-                       length(cross(a.axis, between)) <= allowed && std::abs(a.radius - b.radius) <= allowed;
-            },
-        },
-        one);
+    return std::visit(Overloaded{
+                          [&](PlaneCarrier const& a) {
+                              auto const& b = std::get<PlaneCarrier>(*seen);
+                              double const sign = dot(a.normal, b.normal) < 0.0 ? -1.0 : 1.0;
+                              return length(a.normal - sign * b.normal) * reach <= distance &&
+                                     std::abs(a.offset - sign * b.offset) <= distance;
+                          },
+                          [&](SphereCarrier const& a) {
+                              auto const& b = std::get<SphereCarrier>(*seen);
+                              double const allowed = distance + ulp * (a.radius + length(a.centre));
+                              return length(a.centre - b.centre) <= allowed &&
+                                     std::abs(a.radius - b.radius) <= allowed;
+                          },
+                          [&](TubeCarrier const& a) {
+                              auto const& b = std::get<TubeCarrier>(*seen);
+                              dvec3 const between = b.point - a.point;
+                              double const allowed = distance + ulp * (a.radius + length(between));
+                              return length(cross(a.axis, b.axis)) * (reach + length(between)) <= allowed &&
+                                     length(cross(a.axis, between)) <= allowed &&
+                                     std::abs(a.radius - b.radius) <= allowed;
+                          },
+                      },
+                      one);
 }
 
 } // namespace sahl

@@ -1,6 +1,6 @@
 // In: faces of exact shapes and where they stand. Out: which of them lie on the same surface.
-// Contact is a fact of the scene, found once: only crossings of such faces are merged, so that a real gap, however
-// small, stays a gap.
+// Contact is a fact of the scene, found once: only crossings of such faces are merged, so that a real gap,
+// however small, stays a gap.
 #pragma once
 
 #include "geometry/shape.h"
@@ -31,10 +31,10 @@ using Carrier = std::variant<PlaneCarrier, SphereCarrier, TubeCarrier>;
 Carrier carrier_of(Region const& region);
 Carrier sheet_carrier(); // z = 0
 
-/// Do two carriers, each seen through the map to the world of its shape, coincide to within the rounding of the
-/// coordinates that they were made from?
+/// Do two carriers, each seen through the map to the world of its shape, coincide to within the rounding of
+/// the coordinates that they were made from?
 ///   reach    m, in the frame of the first: how far from its origin the face extends
-bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other, Affine const& other_to_world,
-              double reach);
+bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other,
+              Affine const& other_to_world, double reach);
 
 } // namespace sahl

@@ -1,5 +1,5 @@
-// In: triangles as a model file has them. Out: a mesh ready to trace, its shells found, in double, in its own frame.
-// geometry/mesh_manifold.cpp is the door to OpenMesh.
+// In: triangles as a model file has them. Out: a mesh ready to trace, its shells found, in double, in its own
+// frame. geometry/mesh_manifold.cpp is the door to OpenMesh.
 #pragma once
 
 #include "math/vec.h"
@@ -16,8 +16,8 @@ struct TriangleSoup {
     std::vector<dvec3> positions;
     std::vector<dvec3> normals;
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::uint32_t> triangle_face;  // which named face of the object; all 0 where it has one
-    std::vector<std::string> face_names;       // at least one
+    std::vector<std::uint32_t> triangle_face; // which named face of the object; all 0 where it has one
+    std::vector<std::string> face_names;      // at least one
 };
 
 /// One closed component. `sign` +1: normals point out of the volume it encloses; −1: into it (a cavity).
@@ -27,21 +27,21 @@ struct MeshShell {
 };
 
 struct Mesh {
-    TriangleSoup soup;                         // welded by exact position where normals agree too; degenerate triangles dropped
+    TriangleSoup soup; // welded by exact position where normals agree too; degenerate triangles dropped
     std::vector<std::uint32_t> triangle_shell; // index into shells
     std::vector<MeshShell> shells;
-    dvec3 low{0.0}, high{0.0};                 // bounding box
+    dvec3 low{0.0}, high{0.0}; // bounding box
     // what the health report says
-    std::uint64_t boundary_edges = 0;          // 0: closed
+    std::uint64_t boundary_edges = 0; // 0: closed
     std::uint64_t non_manifold_edges = 0;
-    std::uint64_t degenerate_triangles = 0;    // dropped
-    std::uint64_t flipped_triangles = 0;       // turned round so that neighbours agree
+    std::uint64_t degenerate_triangles = 0; // dropped
+    std::uint64_t flipped_triangles = 0;    // turned round so that neighbours agree
     bool closed() const { return boundary_edges == 0 && non_manifold_edges == 0; }
 };
 
-/// Welds by exact position (−0 = +0), drops triangles without area, orients neighbours alike, finds the components, and
-/// makes the outermost component's normals point outwards (a component inside another keeps the orientation it came
-/// with: that is what tells a cavity from a body within a body).
+/// Welds by exact position (−0 = +0), drops triangles without area, orients neighbours alike, finds the
+/// components, and makes the outermost component's normals point outwards (a component inside another keeps
+/// the orientation it came with: that is what tells a cavity from a body within a body).
 Mesh make_mesh(TriangleSoup soup);
 
 } // namespace sahl

@@ -19,8 +19,8 @@ std::vector<Bounds> triangle_bounds(Mesh const& mesh) {
     return bounds;
 }
 
-/// How far behind its start a line is searched, in multiples of the rounding: a crossing that grazes at 1e-6 rad and lies
-/// within the rounding of the start along its normal.
+/// How far behind its start a line is searched, in multiples of the rounding: a crossing that grazes at 1e-6
+/// rad and lies within the rounding of the start along its normal.
 constexpr double far_behind = 1e6;
 
 /// Crossings of one shell at one place, and on which side of the shell the line runs before and after it.
@@ -37,8 +37,9 @@ template <class Iterator>
 std::vector<Station> stations_of(Iterator first, Iterator last, double rounding) {
     std::vector<Station> stations;
     for (Iterator c = first; c != last; ++c) {
-        bool const same_place = !stations.empty() && (c->t - stations.back().t) <=
-                                                         rounding / stations.back().slope + rounding / c->slope;
+        bool const same_place =
+            !stations.empty() &&
+            (c->t - stations.back().t) <= rounding / stations.back().slope + rounding / c->slope;
         if (!same_place)
             stations.push_back({c->t, c->slope});
         Station& here = stations.back();
@@ -47,8 +48,8 @@ std::vector<Station> stations_of(Iterator first, Iterator last, double rounding)
             sense = &*c;
         here.slope = std::max(here.slope, c->slope);
     }
-    // Far along the line is outside. A place that is crossed one way tells the side before it; where a line touches an
-    // edge, the place before that tells.
+    // Far along the line is outside. A place that is crossed one way tells the side before it; where a line
+    // touches an edge, the place before that tells.
     bool after = false;
     for (std::size_t k = stations.size(); k-- > 0;) {
         stations[k].inside_after = after;
@@ -64,8 +65,8 @@ std::vector<Station> stations_of(Iterator first, Iterator last, double rounding)
 } // namespace
 
 /// A line made ready for the watertight test: sheared so that it runs along the third of its permuted axes
-/// (S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2 (2013) 65). An edge that two triangles
-/// share gives both the same number with the opposite sign, exactly.
+/// (S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2 (2013) 65). An edge that two
+/// triangles share gives both the same number with the opposite sign, exactly.
 struct MeshTree::Line {
     dvec3 origin, direction;
     int kx, ky, kz;
@@ -84,7 +85,8 @@ struct MeshTree::Line {
     }
 };
 
-MeshTree::MeshTree(std::shared_ptr<Mesh const> mesh) : mesh_(std::move(mesh)), tree_(triangle_bounds(*mesh_)) {}
+MeshTree::MeshTree(std::shared_ptr<Mesh const> mesh)
+    : mesh_(std::move(mesh)), tree_(triangle_bounds(*mesh_)) {}
 
 dvec3 MeshTree::normal(std::uint32_t triangle) const {
     auto const& [a, b, c] = mesh_->soup.triangles[triangle];
@@ -96,7 +98,8 @@ dvec3 MeshTree::normal(std::uint32_t triangle) const {
 std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t triangle) const {
     auto const& corners = mesh_->soup.triangles[triangle];
     auto const& p = mesh_->soup.positions;
-    dvec3 const a = p[corners[0]] - line.origin, b = p[corners[1]] - line.origin, c = p[corners[2]] - line.origin;
+    dvec3 const a = p[corners[0]] - line.origin, b = p[corners[1]] - line.origin,
+                c = p[corners[2]] - line.origin;
     double const ax = a[line.kx] - line.shear_x * a[line.kz], ay = a[line.ky] - line.shear_y * a[line.kz];
     double const bx = b[line.kx] - line.shear_x * b[line.kz], by = b[line.ky] - line.shear_y * b[line.kz];
     double const cx = c[line.kx] - line.shear_x * c[line.kz], cy = c[line.ky] - line.shear_y * c[line.kz];
@@ -177,7 +180,8 @@ MeshAnswer MeshTree::settle(std::vector<MeshCrossing> crossings, InsideShells in
     auto const shell_of = [&](MeshCrossing const& c) { return mesh_->triangle_shell[c.triangle]; };
     for (auto first = crossings.begin(); first != crossings.end();) {
         std::uint32_t const shell = shell_of(*first);
-        auto const last = std::find_if(first, crossings.end(), [&](auto const& c) { return shell_of(c) != shell; });
+        auto const last =
+            std::find_if(first, crossings.end(), [&](auto const& c) { return shell_of(c) != shell; });
         bool const state = inside[shell];
         bool found = false;
         for (Station const& station : stations_of(first, last, rounding)) {
@@ -208,10 +212,11 @@ std::vector<bool> MeshTree::inside(dvec3 const& origin, dvec3 const& direction, 
     std::vector<MeshCrossing> const crossings = all(origin, direction, 0.0, rounding);
     auto const shell_of = [&](MeshCrossing const& c) { return mesh_->triangle_shell[c.triangle]; };
     for (auto first = crossings.begin(); first != crossings.end();) {
-        auto const last =
-            std::find_if(first, crossings.end(), [&](auto const& c) { return shell_of(c) != shell_of(*first); });
+        auto const last = std::find_if(first, crossings.end(),
+                                       [&](auto const& c) { return shell_of(c) != shell_of(*first); });
         Station const station = stations_of(first, last, rounding).front();
-        states[shell_of(*first)] = station.t * station.slope <= rounding ? station.inside_after : station.inside_before;
+        states[shell_of(*first)] =
+            station.t * station.slope <= rounding ? station.inside_after : station.inside_before;
         first = last;
     }
     return states;

@@ -10,33 +10,36 @@ namespace {
 
 using Tree = std::shared_ptr<MeshTree const>;
 
-/// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the world and back,
-/// and solving for t, round some ten times each; the rest is margin.
+/// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the
+/// world and back, and solving for t, round some ten times each; the rest is margin.
 constexpr double start_ulps = 64.0 * std::numeric_limits<double>::epsilon();
 
 Bounds world_box(dvec3 const& low, dvec3 const& high, Affine const& to_world) {
     Bounds box{dvec3(INFINITY), dvec3(-INFINITY)};
     for (int corner = 0; corner < 8; ++corner) {
-        dvec3 const p = to_world.point({corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z});
+        dvec3 const p = to_world.point(
+            {corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z});
         box = {glm::min(box.low, p), glm::max(box.high, p)};
     }
     return box;
 }
 
 std::pair<dvec3, dvec3> sheet_box(Shape const& sheet) {
-    return std::visit(
-        Overloaded{
-            [](Rectangle const& s) {
-                dvec3 const high(0.5 * s.size.x, 0.5 * s.size.y, 0.0);
-                return std::pair(-high, high);
-            },
-            [](Disk const& s) {
-                dvec3 const high(s.radius, s.radius, 0.0);
-                return std::pair(-high, high);
-            },
-            [](auto const&) { return std::pair(dvec3(-INFINITY, -INFINITY, 0.0), dvec3(INFINITY, INFINITY, 0.0)); },
-        },
-        sheet);
+    return std::visit(Overloaded{
+                          [](Rectangle const& s) {
+                              dvec3 const high(0.5 * s.size.x, 0.5 * s.size.y, 0.0);
+                              return std::pair(-high, high);
+                          },
+                          [](Disk const& s) {
+                              dvec3 const high(s.radius, s.radius, 0.0);
+                              return std::pair(-high, high);
+                          },
+                          [](auto const&) {
+                              return std::pair(dvec3(-INFINITY, -INFINITY, 0.0),
+                                               dvec3(INFINITY, INFINITY, 0.0));
+                          },
+                      },
+                      sheet);
 }
 
 } // namespace
@@ -58,7 +61,14 @@ Placed place(PlacedGeometry geometry, Tree tree) {
         box = {solid.low(), solid.high()};
         return solid;
     }();
-    Placed placed{std::move(geometry), std::move(met_by), inverse(to_world), !(to_world == Affine{}), 0.0, 0.0, {}, true};
+    Placed placed{std::move(geometry),
+                  std::move(met_by),
+                  inverse(to_world),
+                  !(to_world == Affine{}),
+                  0.0,
+                  0.0,
+                  {},
+                  true};
     placed.bounded = std::isfinite(box.second.x);
     placed.extent = length(glm::max(glm::abs(box.first), glm::abs(box.second)));
     placed.rounding = start_ulps * ((placed.bounded ? placed.extent : 0.0) + length(placed.to_local.offset));
@@ -69,11 +79,12 @@ Placed place(PlacedGeometry geometry, Tree tree) {
 
 Placed::LocalRay Placed::local(dvec3 const& origin, dvec3 const& direction) const {
     dvec3 const o = moved ? to_local.point(origin) : origin;
-    return {o, moved ? to_local.vector(direction) : direction, rounding + start_ulps * length(o)};
+    double const distance = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); // at least the length of o
+    return {o, moved ? to_local.vector(direction) : direction, rounding + start_ulps * distance};
 }
 
 double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
-                    std::optional<Candidate>& found) const {
+                    Candidate& found) const {
     LocalRay const ray = local(origin, direction);
     return std::visit(
         Overloaded{
@@ -91,17 +102,25 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 if (!c)
                     return in ? reach.from : INFINITY + 0.0;
                 if (c->t <= reach.to)
-                    found = Candidate{c->t, c->slope > 0.0 ? ray.rounding / c->slope : INFINITY, 0, c->face, -1, {}, false,
-                                      c->enters};
+                    found = Candidate{c->t,  c->slope > 0.0 ? ray.rounding / c->slope : INFINITY,
+                                      0,     c->face,
+                                      -1,    {},
+                                      false, c->enters};
                 return INFINITY + 0.0;
             },
             [&](Tree const& tree) {
-                MeshAnswer const answer =
-                    tree->next(ray.origin, ray.direction, {inside, geometry.first_shell}, reach, ray.rounding);
+                MeshAnswer const answer = tree->next(ray.origin, ray.direction,
+                                                     {inside, geometry.first_shell}, reach, ray.rounding);
                 if (auto const& c = answer.crossing) {
                     auto const& soup = tree->mesh().soup;
-                    found = Candidate{c->t,  ray.rounding / c->slope, 0, soup.triangle_face[c->triangle],
-                                      static_cast<std::int32_t>(c->triangle), c->uv, false, c->enters};
+                    found = Candidate{c->t,
+                                      ray.rounding / c->slope,
+                                      0,
+                                      soup.triangle_face[c->triangle],
+                                      static_cast<std::int32_t>(c->triangle),
+                                      c->uv,
+                                      false,
+                                      c->enters};
                 }
                 return answer.contradiction;
             },
@@ -116,7 +135,8 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
     };
     std::visit(Overloaded{
                    [&](Shape const& sheet) {
-                       if (std::abs(ray.origin.z) > ray.rounding || !covers(sheet, ray.origin.x, ray.origin.y))
+                       if (std::abs(ray.origin.z) > ray.rounding ||
+                           !covers(sheet, ray.origin.x, ray.origin.y))
                            return;
                        into.fits = into.fits && !into.on.full();
                        if (!into.on.full())
@@ -145,10 +165,7 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                        point.z = 0.0;
                        facet = normal = {0.0, 0.0, 1.0};
                    },
-                   [&](Solid const& solid) {
-                       point = solid.onto(candidate.face, point);
-                       facet = normal = solid.normal(candidate.face, point);
-                   },
+                   [&](Solid const& solid) { facet = normal = solid.settle(candidate.face, point); },
                    [&](Tree const& tree) {
                        auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
                        auto const& soup = tree->mesh().soup;
@@ -157,12 +174,13 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                        point -= dot(facet, point - soup.positions[corners[0]]) * facet;
                        if (geometry.interpolate && !soup.normals.empty()) {
                            double const u = candidate.uv.x, v = candidate.uv.y;
-                           dvec3 const smooth = (1.0 - u - v) * soup.normals[corners[0]] + u * soup.normals[corners[1]] +
-                                                v * soup.normals[corners[2]];
-                           // the file's normals point out of the glass as the triangles do, or the triangles were turned
+                           dvec3 const smooth = (1.0 - u - v) * soup.normals[corners[0]] +
+                                                u * soup.normals[corners[1]] + v * soup.normals[corners[2]];
+                           // the file's normals point out of the glass as the triangles do, or the triangles
+                           // were turned
                            double const sense = dot(smooth, facet);
                            if (sense != 0.0)
-                               normal = smooth * (sense < 0.0 ? -1.0 : 1.0);
+                               normal = normalize(smooth * (sense < 0.0 ? -1.0 : 1.0));
                        }
                    },
                },
@@ -177,18 +195,17 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
     crossing.object = candidate.object;
     crossing.primitive = candidate.primitive;
     if (Tree const* const tree = std::get_if<Tree>(&met_by))
-        crossing.shell.value += (*tree)->mesh().triangle_shell[static_cast<std::uint32_t>(candidate.primitive)];
+        crossing.shell.value +=
+            (*tree)->mesh().triangle_shell[static_cast<std::uint32_t>(candidate.primitive)];
     crossing.point = point;
     crossing.normal = normal;
     crossing.facet_normal = facet;
     if (moved) {
         dmat3 const normals_to_world = glm::transpose(to_local.linear);
         crossing.point = geometry.to_world.point(point);
-        crossing.normal = normals_to_world * normal;
-        crossing.facet_normal = normals_to_world * facet;
+        crossing.facet_normal = normalize(normals_to_world * facet);
+        crossing.normal = normal == facet ? crossing.facet_normal : normalize(normals_to_world * normal);
     }
-    crossing.normal = normalize(crossing.normal);
-    crossing.facet_normal = normalize(crossing.facet_normal);
     return crossing;
 }
 

@@ -11,9 +11,9 @@
 
 namespace sahl {
 
-/// A crossing before it is known to be the nearest.
+/// A crossing before it is known to be the nearest; t = ∞: none.
 struct Candidate {
-    double t = 0.0;
+    double t = INFINITY;
     double blur = 0.0; // how far rounding may shift t
     std::uint32_t object = 0;
     std::uint32_t face = 0; // local number
@@ -27,10 +27,10 @@ struct Placed {
     PlacedGeometry geometry;
     std::variant<Shape, Solid, std::shared_ptr<MeshTree const>> met_by; // a Shape here is open
     Affine to_local;
-    bool moved = false;     // to_world is not the identity
-    double rounding = 0.0;  // m, local: at a start near the geometry's own origin; grows with distance
-    double extent = 0.0;    // m, local: how far it reaches from its origin; ∞ for a plane
-    Bounds box;             // world
+    bool moved = false;    // to_world is not the identity
+    double rounding = 0.0; // m, local: at a start near the geometry's own origin; grows with distance
+    double extent = 0.0;   // m, local: how far it reaches from its origin; ∞ for a plane
+    Bounds box;            // world
     bool bounded = true;
 
     struct LocalRay {
@@ -39,10 +39,10 @@ struct Placed {
     };
     LocalRay local(dvec3 const& origin, dvec3 const& direction) const;
 
-    /// Writes the next crossing at t ≥ reach.from, if there is one up to reach.to; returns t from which on what is met
-    /// contradicts `inside` (∞: nothing does).
+    /// Writes the next crossing at t ≥ reach.from, if there is one up to reach.to; returns t from which on
+    /// what is met contradicts `inside` (∞: nothing does).
     double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
-                std::optional<Candidate>& found) const;
+                Candidate& found) const;
 
     /// Appends what a ray starting here is in or on.
     void start(dvec3 const& origin, dvec3 const& direction, std::uint32_t index, Bvh::Start& into) const;

@@ -16,27 +16,36 @@ struct Chord {
 
 using Chords = InlineVector<Chord, 2>;
 
-/// Both ends of the line's way through |P(x) − a| ≤ b, P the projection that `origin` and `direction` already had.
-///   squared   |direction|² after projection
-/// The discriminant is formed from the point nearest to the centre, which keeps its digits for far origins
-/// (E. Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
+/// Both ends of the line's way through |P(x) − a| ≤ b, P the projection that `origin` and `direction` already
+/// had.
+///   squared    |direction|² after projection
+///   rounding   m: an origin that is no farther than this from the border is on it, so that a chord of any
+///              grazing angle has its length
+/// From far off the discriminant is formed from the point nearest to the centre, which keeps its digits
+/// (E. Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019); from
+/// nearby the usual form does, and that alone at grazing angles.
 template <class Vector>
-Chord round_chord(Vector const& to_origin, Vector const& direction, double squared, double radius) {
+Chord round_chord(Vector const& to_origin, Vector const& direction, double squared, double radius,
+                  double rounding) {
     double const half = dot(to_origin, direction);
-    Vector const nearest = to_origin - (half / squared) * direction;
-    double const discriminant = radius * radius - dot(nearest, nearest);
+    double constant = dot(to_origin, to_origin) - radius * radius;
+    if (std::abs(constant) <= 2.0 * rounding * radius)
+        constant = 0.0;
+    double discriminant = half * half - squared * constant; // squared times that of the nearest point
+    if (constant > radius * radius) {
+        Vector const nearest = to_origin - (half / squared) * direction;
+        discriminant = squared * (radius * radius - dot(nearest, nearest));
+    }
     if (discriminant < 0.0)
         return {-half / squared, -half / squared, 0.0, true};
-    double const root = std::sqrt(squared * discriminant);
-    double const distance = std::sqrt(dot(to_origin, to_origin));
-    double const constant = (distance - radius) * (distance + radius);
+    double const root = std::sqrt(discriminant);
     double const q = half > 0.0 ? -half - root : root - half; // no cancellation
     double const one = q / squared, other = q == 0.0 ? 0.0 : constant / q;
     return half > 0.0 ? Chord{one, other, root / radius, false} : Chord{other, one, root / radius, false};
 }
 
 /// The chord of a convex region: half space, ball or tube.
-inline Chord chord_of(Region const& region, dvec3 const& origin, dvec3 const& direction) {
+inline Chord chord_of(Region const& region, dvec3 const& origin, dvec3 const& direction, double rounding) {
     switch (region.kind) {
     case Region::Kind::half_space: {
         double const along = dot(region.a, direction);
@@ -52,26 +61,47 @@ inline Chord chord_of(Region const& region, dvec3 const& origin, dvec3 const& di
         double const squared = dot(across, across);
         if (squared == 0.0)
             return dot(start, start) <= region.b * region.b ? Chord{} : Chord{-INFINITY, INFINITY, 1.0, true};
-        return round_chord(start, across, squared, region.b);
+        return round_chord(start, across, squared, region.b, rounding);
     }
     default:
-        return round_chord(origin - region.a, direction, dot(direction, direction), region.b);
+        return round_chord(origin - region.a, direction, dot(direction, direction), region.b, rounding);
     }
 }
 
+/// The half space side (z − a.z) ≥ 0 of a dome or a bowl.
+inline Region flat_of(Region const& region) {
+    return {Region::Kind::half_space, {0.0, 0.0, -region.side}, -region.side * region.a.z, 0.0};
+}
+
+/// The chord that ends where a line leaves a region that it is in at `from`. Nothing is asked about the way
+/// in: at an edge rounding may put it behind the way out.
+inline Chord way_out(Region const& region, dvec3 const& origin, dvec3 const& direction, double from,
+                     double rounding) {
+    Chord const round = chord_of(region, origin, direction, rounding);
+    bool const dome = region.kind == Region::Kind::dome;
+    if (!dome && region.kind != Region::Kind::bowl)
+        return round;
+    Chord const half = chord_of(flat_of(region), origin, direction, rounding);
+    if (round.missed)
+        return half;
+    if (dome) // by the ball's near half; on the far one it goes over into the half space
+        return region.side * (origin.z + round.leave * direction.z - region.a.z) <= 0.0 ? round : Chord{};
+    bool const ahead = (round.leave - from) * round.slope > rounding;
+    return ahead && round.enter < half.leave ? Chord{half.enter, round.enter, round.slope, false} : half;
+}
+
 /// All chords of any region, in order.
-inline Chords chords_of(Region const& region, dvec3 const& origin, dvec3 const& direction) {
+inline Chords chords_of(Region const& region, dvec3 const& origin, dvec3 const& direction, double rounding) {
     Chords chords;
-    Chord const first = chord_of(region, origin, direction);
+    Chord const first = chord_of(region, origin, direction, rounding);
     bool const dome = region.kind == Region::Kind::dome;
     if (!dome && region.kind != Region::Kind::bowl) {
         if (!first.missed)
             chords.push_back(first);
         return chords;
     }
-    // the half space side (z − a.z) ≥ 0, and the ball cut out of it or joined to it
-    Region const flat{Region::Kind::half_space, {0.0, 0.0, -region.side}, -region.side * region.a.z, 0.0};
-    Chord const half = chord_of(flat, origin, direction);
+    // the half space, and the ball cut out of it or joined to it
+    Chord const half = chord_of(flat_of(region), origin, direction, rounding);
     if (first.missed || half.missed) {
         if (!half.missed)
             chords.push_back(half);
@@ -85,7 +115,8 @@ inline Chords chords_of(Region const& region, dvec3 const& origin, dvec3 const& 
             chords.push_back(half_first ? half : first);
             chords.push_back(half_first ? first : half);
         } else {
-            chords.push_back({std::min(half.enter, first.enter), std::max(half.leave, first.leave), first.slope, false});
+            chords.push_back(
+                {std::min(half.enter, first.enter), std::max(half.leave, first.leave), first.slope, false});
         }
         return chords;
     }
@@ -97,30 +128,22 @@ inline Chords chords_of(Region const& region, dvec3 const& origin, dvec3 const& 
     return chords;
 }
 
-inline dvec3 normal_of(Region const& region, dvec3 const& point) {
+/// Moves the point along the normal onto the region's border; returns the outward unit normal there.
+inline dvec3 settle(Region const& region, dvec3& point) {
     switch (region.kind) {
     case Region::Kind::half_space:
+        point -= (dot(region.a, point) - region.b) * region.a;
         return region.a;
-    case Region::Kind::tube:
-        return normalize(dvec3(point.x, point.y, 0.0));
-    case Region::Kind::bowl:
-        return normalize(region.a - point);
-    default:
-        return normalize(point - region.a);
-    }
-}
-
-inline dvec3 moved_onto(Region const& region, dvec3 const& point) {
-    switch (region.kind) {
-    case Region::Kind::half_space:
-        return point - (dot(region.a, point) - region.b) * region.a;
     case Region::Kind::tube: {
-        double const scale = region.b / std::sqrt(point.x * point.x + point.y * point.y);
-        return {point.x * scale, point.y * scale, point.z};
+        double const by_distance = 1.0 / std::sqrt(point.x * point.x + point.y * point.y);
+        dvec3 const normal(point.x * by_distance, point.y * by_distance, 0.0);
+        point = {region.b * normal.x, region.b * normal.y, point.z};
+        return normal;
     }
     default: {
-        dvec3 const from_centre = point - region.a;
-        return region.a + (region.b / length(from_centre)) * from_centre;
+        dvec3 const normal = unit_again((1.0 / region.b) * (point - region.a));
+        point = region.a + region.b * normal;
+        return region.kind == Region::Kind::bowl ? -normal : normal;
     }
     }
 }

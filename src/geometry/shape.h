@@ -25,14 +25,14 @@ struct Cylinder { // faces: side, back −z, front
 struct Lens {
     double r1, r2, thickness, diameter;
 };
-/// Isosceles: two faces of `side` meet at the apex edge, which runs along z at the top (+y); centred by its bounding box.
-/// faces: left −x, right, base, near −z, far
+/// Isosceles: two faces of `side` meet at the apex edge, which runs along z at the top (+y); centred by its
+/// bounding box. faces: left −x, right, base, near −z, far
 struct Prism {
     double apex; // rad, (0, π)
     double side, length;
 };
 
-struct Plane {}; // z = 0, without end; face: surface
+struct Plane {};   // z = 0, without end; face: surface
 struct Rectangle { // z = 0; face: surface
     dvec2 size;
 };
@@ -48,8 +48,8 @@ bool is_open(Shape const& shape);
 /// The shape's faces, in the order of their numbers.
 std::span<std::string_view const> face_names(Shape const& shape);
 
-/// Why no such shape exists, and what would, or nothing: sizes must be finite and positive, a lens's surfaces must
-/// reach its rim and not cross. Lengths in the text are in mm, key names those of an experiment file.
+/// Why no such shape exists, and what would, or nothing: sizes must be finite and positive, a lens's surfaces
+/// must reach its rim and not cross. Lengths in the text are in mm, key names those of an experiment file.
 std::string shape_problem(Shape const& shape);
 
 } // namespace sahl

@@ -11,17 +11,19 @@ namespace sahl {
 
 /// Is (x, y) on the sheet? Its border belongs to it.
 inline bool covers(Shape const& sheet, double x, double y) {
-    return std::visit(
-        Overloaded{
-            [](Plane const&) { return true; },
-            [&](Rectangle const& s) { return std::abs(x) <= 0.5 * s.size.x && std::abs(y) <= 0.5 * s.size.y; },
-            [&](Disk const& s) {
-                double const squared = x * x + y * y;
-                return squared <= s.radius * s.radius && squared >= s.hole_radius * s.hole_radius;
-            },
-            [](auto const&) { return false; },
-        },
-        sheet);
+    return std::visit(Overloaded{
+                          [](Plane const&) { return true; },
+                          [&](Rectangle const& s) {
+                              return std::abs(x) <= 0.5 * s.size.x && std::abs(y) <= 0.5 * s.size.y;
+                          },
+                          [&](Disk const& s) {
+                              double const squared = x * x + y * y;
+                              return squared <= s.radius * s.radius &&
+                                     squared >= s.hole_radius * s.hole_radius;
+                          },
+                          [](auto const&) { return false; },
+                      },
+                      sheet);
 }
 
 /// t of the meeting, of either sign; empty where the ray runs along the sheet or past it.
@@ -29,7 +31,8 @@ inline std::optional<double> meet(Shape const& sheet, dvec3 const& origin, dvec3
     if (direction.z == 0.0)
         return std::nullopt;
     double const t = -origin.z / direction.z;
-    return covers(sheet, origin.x + t * direction.x, origin.y + t * direction.y) ? std::optional(t) : std::nullopt;
+    return covers(sheet, origin.x + t * direction.x, origin.y + t * direction.y) ? std::optional(t)
+                                                                                 : std::nullopt;
 }
 
 } // namespace sahl

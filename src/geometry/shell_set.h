@@ -13,7 +13,9 @@ class ShellSet {
   public:
     static constexpr std::size_t capacity = 15;
 
-    bool contains(ShellId shell) const { return std::find(shells_.begin(), shells_.end(), shell) != shells_.end(); }
+    bool contains(ShellId shell) const {
+        return std::find(shells_.begin(), shells_.end(), shell) != shells_.end();
+    }
     bool empty() const { return shells_.empty(); }
     /// False where the set is full.
     bool insert(ShellId shell) {

@@ -12,7 +12,9 @@ namespace {
 
 using Kind = Region::Kind;
 
-Region half_space(dvec3 normal, double offset) { return {Kind::half_space, normal, offset, 0.0}; }
+Region half_space(dvec3 normal, double offset) {
+    return {Kind::half_space, normal, offset, 0.0};
+}
 
 /// The region behind a lens's surface with its vertex at z = vertex; side +1: the glass is at larger z.
 Region sheet(double vertex, double radius, double side, double opposite_vertex) {
@@ -27,84 +29,102 @@ Region sheet(double vertex, double radius, double side, double opposite_vertex) 
 }
 
 double sag(double radius, double h) {
-    return radius == 0.0 ? 0.0 : h * h / (radius * (1.0 + std::sqrt(std::max(0.0, 1.0 - (h / radius) * (h / radius)))));
+    return radius == 0.0
+               ? 0.0
+               : h * h / (radius * (1.0 + std::sqrt(std::max(0.0, 1.0 - (h / radius) * (h / radius)))));
 }
 
 } // namespace
 
 Solid::Solid(Shape const& shape) {
     auto const add = [this](Region const& region) { regions_.push_back(region); };
-    std::visit(
-        Overloaded{
-            [&](Sphere const& s) {
-                add({Kind::ball, dvec3(0.0), s.radius, 0.0});
-                high_ = dvec3(s.radius);
-                low_ = -high_;
-            },
-            [&](Box const& s) {
-                high_ = 0.5 * s.size;
-                low_ = -high_;
-                for (int axis = 0; axis < 3; ++axis)
-                    for (double sign : {-1.0, 1.0}) {
-                        dvec3 normal(0.0);
-                        normal[axis] = sign;
-                        add(half_space(normal, high_[axis]));
-                    }
-            },
-            [&](Cylinder const& s) {
-                high_ = {s.radius, s.radius, 0.5 * s.length};
-                low_ = -high_;
-                add({Kind::tube, dvec3(0.0), s.radius, 0.0});
-                add(half_space({0.0, 0.0, -1.0}, high_.z));
-                add(half_space({0.0, 0.0, 1.0}, high_.z));
-            },
-            [&](Lens const& s) {
-                double const h = 0.5 * s.diameter;
-                double const front_rim = sag(s.r1, h), back_rim = s.thickness + sag(s.r2, h);
-                low_ = {-h, -h, std::min(0.0, front_rim)};
-                high_ = {h, h, std::max(s.thickness, back_rim)};
-                add(sheet(0.0, s.r1, 1.0, high_.z));
-                add(sheet(s.thickness, s.r2, -1.0, low_.z));
-                add({Kind::tube, dvec3(0.0), h, 0.0});
-            },
-            [&](Prism const& s) {
-                double const half = 0.5 * s.apex;
-                double const c = std::cos(half), i = std::sin(half);
-                high_ = {s.side * i, 0.5 * s.side * c, 0.5 * s.length};
-                low_ = -high_;
-                double const apex = i * high_.y; // both inclined faces hold the apex edge (0, high.y)
-                add(half_space({-c, i, 0.0}, apex));
-                add(half_space({c, i, 0.0}, apex));
-                add(half_space({0.0, -1.0, 0.0}, high_.y));
-                add(half_space({0.0, 0.0, -1.0}, high_.z));
-                add(half_space({0.0, 0.0, 1.0}, high_.z));
-            },
-            [](auto const&) { assert(false && "an open shape is not a solid"); },
-        },
-        shape);
+    std::visit(Overloaded{
+                   [&](Sphere const& s) {
+                       add({Kind::ball, dvec3(0.0), s.radius, 0.0});
+                       high_ = dvec3(s.radius);
+                       low_ = -high_;
+                   },
+                   [&](Box const& s) {
+                       high_ = 0.5 * s.size;
+                       low_ = -high_;
+                       for (int axis = 0; axis < 3; ++axis)
+                           for (double sign : {-1.0, 1.0}) {
+                               dvec3 normal(0.0);
+                               normal[axis] = sign;
+                               add(half_space(normal, high_[axis]));
+                           }
+                   },
+                   [&](Cylinder const& s) {
+                       high_ = {s.radius, s.radius, 0.5 * s.length};
+                       low_ = -high_;
+                       add({Kind::tube, dvec3(0.0), s.radius, 0.0});
+                       add(half_space({0.0, 0.0, -1.0}, high_.z));
+                       add(half_space({0.0, 0.0, 1.0}, high_.z));
+                   },
+                   [&](Lens const& s) {
+                       double const h = 0.5 * s.diameter;
+                       double const front_rim = sag(s.r1, h), back_rim = s.thickness + sag(s.r2, h);
+                       low_ = {-h, -h, std::min(0.0, front_rim)};
+                       high_ = {h, h, std::max(s.thickness, back_rim)};
+                       add(sheet(0.0, s.r1, 1.0, high_.z));
+                       add(sheet(s.thickness, s.r2, -1.0, low_.z));
+                       add({Kind::tube, dvec3(0.0), h, 0.0});
+                   },
+                   [&](Prism const& s) {
+                       double const half = 0.5 * s.apex;
+                       double const c = std::cos(half), i = std::sin(half);
+                       high_ = {s.side * i, 0.5 * s.side * c, 0.5 * s.length};
+                       low_ = -high_;
+                       double const apex = i * high_.y; // both inclined faces hold the apex edge (0, high.y)
+                       add(half_space({-c, i, 0.0}, apex));
+                       add(half_space({c, i, 0.0}, apex));
+                       add(half_space({0.0, -1.0, 0.0}, high_.y));
+                       add(half_space({0.0, 0.0, -1.0}, high_.z));
+                       add(half_space({0.0, 0.0, 1.0}, high_.z));
+                   },
+                   [](auto const&) { assert(false && "an open shape is not a solid"); },
+               },
+               shape);
     convex_ = std::none_of(regions_.begin(), regions_.end(),
                            [](Region const& r) { return r.kind == Kind::dome || r.kind == Kind::bowl; });
 }
 
-std::optional<SolidCrossing> Solid::next(dvec3 const& origin, dvec3 const& direction, bool inside, double from,
-                                         double rounding) const {
+namespace {
+
+std::optional<SolidCrossing> leaving(SolidCrossing const& leave, double from, double rounding) {
+    bool const ahead = (leave.t - from) * leave.slope >= -rounding && leave.t < INFINITY;
+    return ahead ? std::optional(leave) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<SolidCrossing> Solid::next(dvec3 const& origin, dvec3 const& direction, bool inside,
+                                         double from, double rounding) const {
+    if (!convex_ && inside) {
+        SolidCrossing leave{INFINITY, 1.0, 0, false};
+        for (std::uint32_t face = 0; face < regions_.size(); ++face) {
+            Chord const chord = way_out(regions_[face], origin, direction, from, rounding);
+            if (chord.leave < leave.t)
+                leave = {chord.leave, chord.slope, face, false};
+        }
+        return leaving(leave, from, rounding);
+    }
     if (!convex_) {
-        // The state just behind `from` follows from the next crossing beyond the rounding: crossings alternate. Where it
-        // is not the ray's own, the crossing within the rounding is still to come.
+        // an entry within the rounding counts where the line runs inside behind it, since crossings alternate
         SolidCrossing const* at_start = nullptr;
-        Crossings const crossings = all(origin, direction);
+        Crossings const crossings = all(origin, direction, rounding);
         for (SolidCrossing const& c : crossings) {
             double const distance = (c.t - from) * c.slope;
             if (distance > rounding)
-                return c.enters != inside ? std::optional(c) : at_start ? std::optional(*at_start) : std::nullopt;
-            if (distance >= -rounding && c.enters != inside)
+                return c.enters ? std::optional(c) : at_start ? std::optional(*at_start) : std::nullopt;
+            if (distance >= -rounding && c.enters)
                 at_start = &c;
         }
-        return inside && at_start ? std::optional(*at_start) : std::nullopt;
+        return std::nullopt;
     }
     SolidCrossing enter{-INFINITY, 1.0, 0, true}, leave{INFINITY, 1.0, 0, false};
     for (std::uint32_t face = 0; face < regions_.size(); ++face) {
-        Chord const chord = chord_of(regions_[face], origin, direction);
+        Chord const chord = chord_of(regions_[face], origin, direction, rounding);
         if (chord.missed && !inside)
             return std::nullopt;
         if (chord.enter > enter.t)
@@ -113,36 +133,37 @@ std::optional<SolidCrossing> Solid::next(dvec3 const& origin, dvec3 const& direc
             leave = {chord.leave, chord.slope, face, false};
     }
     if (inside) // only the way out counts: at an edge rounding may put the way in behind it
-        return (leave.t - from) * leave.slope >= -rounding && leave.t < INFINITY ? std::optional(leave) : std::nullopt;
-    bool const ahead = (enter.t - from) * enter.slope >= -rounding && (leave.t - from) * leave.slope > rounding;
+        return leaving(leave, from, rounding);
+    bool const ahead =
+        (enter.t - from) * enter.slope >= -rounding && (leave.t - from) * leave.slope > rounding;
     return enter.t < leave.t && ahead && enter.t > -INFINITY ? std::optional(enter) : std::nullopt;
 }
 
 bool Solid::inside(dvec3 const& origin, dvec3 const& direction, double from, double rounding) const {
-    for (SolidCrossing const& c : all(origin, direction))
+    for (SolidCrossing const& c : all(origin, direction, rounding))
         if ((c.t - from) * c.slope > rounding)
             return !c.enters;
     return false;
 }
 
-Solid::Crossings Solid::all(dvec3 const& origin, dvec3 const& direction) const {
+Solid::Crossings Solid::all(dvec3 const& origin, dvec3 const& direction, double rounding) const {
     // a sweep over all regions' borders: inside the solid is inside every region
     Crossings borders;
+    auto const earlier = [](SolidCrossing const& a, SolidCrossing const& b) {
+        return a.t != b.t ? a.t < b.t : a.enters < b.enters;
+    };
     std::size_t depth = 0;
     for (std::uint32_t face = 0; face < regions_.size(); ++face) {
-        Chords const chords = chords_of(regions_[face], origin, direction);
+        Chords const chords = chords_of(regions_[face], origin, direction, rounding);
         for (Chord const& chord : chords) {
             if (chord.enter == -INFINITY)
                 ++depth;
             else
-                borders.push_back({chord.enter, chord.slope, face, true});
+                borders.insert_sorted({chord.enter, chord.slope, face, true}, earlier);
             if (chord.leave < INFINITY)
-                borders.push_back({chord.leave, chord.slope, face, false});
+                borders.insert_sorted({chord.leave, chord.slope, face, false}, earlier);
         }
     }
-    std::sort(borders.begin(), borders.end(), [](SolidCrossing const& a, SolidCrossing const& b) {
-        return a.t != b.t ? a.t < b.t : a.enters < b.enters;
-    });
     Crossings crossings;
     for (SolidCrossing const& border : borders) {
         if (border.enters) {
@@ -155,7 +176,8 @@ Solid::Crossings Solid::all(dvec3 const& origin, dvec3 const& direction) const {
     return crossings;
 }
 
-dvec3 Solid::normal(std::uint32_t face, dvec3 const& point) const { return normal_of(regions_[face], point); }
-dvec3 Solid::onto(std::uint32_t face, dvec3 const& point) const { return moved_onto(regions_[face], point); }
+dvec3 Solid::settle(std::uint32_t face, dvec3& point) const {
+    return sahl::settle(regions_[face], point);
+}
 
 } // namespace sahl

@@ -1,6 +1,6 @@
-// In: a closed exact shape and a ray in the shape's own frame. Out: where the ray next crosses the shape's surface.
-// A solid is the intersection of regions (half spaces, balls, …), so that its crossings alternate by construction,
-// at edges and corners too: nothing is missed or met twice between two faces.
+// In: a closed exact shape and a ray in the shape's own frame. Out: where the ray next crosses the shape's
+// surface. A solid is the intersection of regions (half spaces, balls, …), so that its crossings alternate by
+// construction, at edges and corners too: nothing is missed or met twice between two faces.
 #pragma once
 
 #include "geometry/shape.h"
@@ -27,7 +27,8 @@ struct Region {
     double side = 0.0;
 };
 
-/// Where a line crosses the surface. `slope` is |n·d|: the distance to the surface changes by slope per unit of t.
+/// Where a line crosses the surface. `slope` is |n·d|: the distance to the surface changes by slope per unit
+/// of t.
 struct SolidCrossing {
     double t = 0.0;
     double slope = 0.0;
@@ -40,21 +41,23 @@ class Solid {
     /// The shape must be closed and without shape_problem().
     explicit Solid(Shape const& shape);
 
-    /// The next crossing from `from` on for a ray that is inside (or not): a crossing out of (into) the solid.
+    /// The next crossing from `from` on for a ray that is inside (or not): a crossing out of (into) the
+    /// solid.
     ///   direction   any length; t counts in its units
-    ///   rounding    m: a crossing that lies before `from` by no more than this, measured along the normal, is still to
+    ///   rounding    m: a crossing that lies before `from` by no more than this, measured along the normal,
+    ///   is still to
     ///               come; one that lies behind it by no more than this may be the one the ray was born on
     /// Empty: it never crosses; for a ray that is inside, that contradicts the solid's being closed.
     std::optional<SolidCrossing> next(dvec3 const& origin, dvec3 const& direction, bool inside, double from,
                                       double rounding) const;
 
-    /// Is the ray inside just after `from`? A start on the surface belongs to the side that the ray heads for.
+    /// Is the ray inside just after `from`? A start on the surface belongs to the side that the ray heads
+    /// for.
     bool inside(dvec3 const& origin, dvec3 const& direction, double from, double rounding) const;
 
-    /// Outward unit normal of a face at a point on it.
-    dvec3 normal(std::uint32_t face, dvec3 const& point) const;
-    /// The point moved along the normal onto the face.
-    dvec3 onto(std::uint32_t face, dvec3 const& point) const;
+    /// Moves a point that is on a face but for rounding along the normal onto it; returns the outward unit
+    /// normal there.
+    dvec3 settle(std::uint32_t face, dvec3& point) const;
 
     dvec3 low() const { return low_; }
     dvec3 high() const { return high_; }
@@ -62,7 +65,7 @@ class Solid {
 
   private:
     using Crossings = InlineVector<SolidCrossing, 12>;
-    Crossings all(dvec3 const& origin, dvec3 const& direction) const;
+    Crossings all(dvec3 const& origin, dvec3 const& direction, double rounding) const;
 
     InlineVector<Region, 6> regions_; // by face number
     bool convex_ = true;

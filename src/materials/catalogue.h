@@ -21,7 +21,8 @@ struct GlassEntry {
 /// All entries, in the order of the catalogue.
 std::vector<GlassEntry> const& glass_catalogue();
 
-/// By "N-BK7" or "SCHOTT:N-BK7", whatever the case of the letters; "air" is 1 exactly, "vacuum" is 1/n_air. Nothing where there is none.
+/// By "N-BK7" or "SCHOTT:N-BK7", whatever the case of the letters; "air" is 1 exactly, "vacuum" is 1/n_air.
+/// Nothing where there is none.
 std::optional<Medium> find_glass(std::string_view name);
 
 /// By "silver", "aluminium", "gold", "copper". Nothing where there is none.

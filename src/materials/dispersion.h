@@ -1,5 +1,6 @@
 // In: a wavelength. Out: the refractive index by the formulas that glass makers and glTF use.
-// Wavelengths are those in standard air, indices relative to air; formulas take λ in µm where their makers print them so.
+// Wavelengths are those in standard air, indices relative to air; formulas take λ in µm where their makers
+// print them so.
 #pragma once
 
 #include <utility>
@@ -15,7 +16,8 @@ struct ConstantIndex {
 struct AbbeIndex {
     double nd, vd;
 };
-/// n² = 1 + a + Σ B_i λ²/(λ² − C_i), C_i in µm²                                (makers' data sheets; formula 2)
+/// n² = 1 + a + Σ B_i λ²/(λ² − C_i), C_i in µm²                                (makers' data sheets; formula
+/// 2)
 struct Sellmeier {
     std::vector<double> b, c_um2;
     double a = 0.0;
@@ -41,8 +43,8 @@ struct TabulatedIndex {
     std::vector<std::pair<double, double>> points; // wavelength in m, ascending; n
 };
 
-using Dispersion =
-    std::variant<ConstantIndex, AbbeIndex, Sellmeier, Cauchy, PowerSeries, GasIndex, VacuumIndex, TabulatedIndex>;
+using Dispersion = std::variant<ConstantIndex, AbbeIndex, Sellmeier, Cauchy, PowerSeries, GasIndex,
+                                VacuumIndex, TabulatedIndex>;
 
 /// wavelength > 0 in m. Returns n relative to air; NaN where the formula has no real value.
 double refractive_index(Dispersion const& dispersion, double wavelength);

@@ -15,9 +15,11 @@ struct Metal {
         double wavelength; // m
         double n, k;
     };
-    std::vector<Point> table; // ascending; one point: the same at all wavelengths; linear in between, constant beyond
+    std::vector<Point>
+        table; // ascending; one point: the same at all wavelengths; linear in between, constant beyond
 };
-/// Constant shares; the rest is absorbed. Directions by Snell; where refraction is impossible the transmitted share reflects.
+/// Constant shares; the rest is absorbed. Directions by Snell; where refraction is impossible the transmitted
+/// share reflects.
 struct Shares {
     double reflect = 0.0, transmit = 0.0; // each ≥ 0, sum ≤ 1
 };

@@ -9,7 +9,8 @@ namespace sahl {
 
 __extension__ using Int128 = __int128;
 
-/// The unit that a sum counts in: 2^exponent. Chosen 2⁻⁹⁰ of the largest total that is expected, it leaves 37 bits above.
+/// The unit that a sum counts in: 2^exponent. Chosen 2⁻⁹⁰ of the largest total that is expected, it leaves 37
+/// bits above.
 struct SumUnit {
     int exponent = -90;
 
@@ -17,7 +18,8 @@ struct SumUnit {
     static SumUnit for_total(double total) { return {(total > 0.0 ? std::ilogb(total) : 0) - 90}; }
 };
 
-/// A fixed-point sum. What lies below the unit is cut off towards −∞, number by number, so the sum is exact in its unit.
+/// A fixed-point sum. What lies below the unit is cut off towards −∞, number by number, so the sum is exact
+/// in its unit.
 class ExactSum {
   public:
     /// x must be finite and below 2³⁶ totals.

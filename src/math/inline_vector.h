@@ -1,22 +1,43 @@
 // In: nothing. Out: a vector of bounded size that never allocates.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <type_traits>
 
 namespace sahl {
 
+/// A large one writes and copies only the items that it holds; a small one is copied whole, which is quicker
+/// than a loop.
 template <class T, std::size_t Capacity>
 class InlineVector {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+    static constexpr bool small = sizeof(T) * Capacity <= 64; // a cache line, with the size
+
   public:
+    InlineVector() noexcept {
+        if constexpr (small)
+            std::memset(static_cast<void*>(items_), 0, sizeof items_);
+    }
+    InlineVector(InlineVector const& other) noexcept { copy(other); }
+    InlineVector& operator=(InlineVector const& other) noexcept {
+        if (this != &other)
+            copy(other);
+        return *this;
+    }
+    ~InlineVector() = default;
+
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     bool full() const { return size_ == Capacity; }
-    T* begin() { return items_.data(); }
-    T* end() { return items_.data() + size_; }
-    T const* begin() const { return items_.data(); }
-    T const* end() const { return items_.data() + size_; }
+    T* begin() { return items_; }
+    T* end() { return items_ + size_; }
+    T const* begin() const { return items_; }
+    T const* end() const { return items_ + size_; }
     T& operator[](std::size_t i) { return items_[i]; }
     T const& operator[](std::size_t i) const { return items_[i]; }
     T& front() { return items_[0]; }
@@ -25,18 +46,37 @@ class InlineVector {
     void clear() { size_ = 0; }
     void push_back(T const& item) {
         assert(size_ < Capacity);
-        items_[size_++] = item;
+        ::new (static_cast<void*>(items_ + size_++)) T(item);
+    }
+    /// Before the first item that `less` puts behind it: keeps an ordered vector ordered.
+    template <class Less>
+    void insert_sorted(T const& item, Less&& less) {
+        push_back(item);
+        for (T* at = end() - 1; at != begin() && less(item, *(at - 1)); --at) {
+            *at = *(at - 1);
+            *(at - 1) = item;
+        }
     }
     /// The order of the rest is kept.
     void erase(T* where) {
-        for (T* next = where + 1; next != end(); ++where, ++next)
-            *where = *next;
+        std::copy(where + 1, end(), where);
         --size_;
     }
 
   private:
-    std::array<T, Capacity> items_;
-    std::size_t size_ = 0;
+    void copy(InlineVector const& other) {
+        if constexpr (small) {
+            std::memcpy(static_cast<void*>(this), &other, sizeof *this);
+        } else {
+            size_ = other.size_;
+            std::memcpy(static_cast<void*>(items_), other.items_, size_ * sizeof(T));
+        }
+    }
+
+    union {
+        T items_[Capacity];
+    };
+    std::uint32_t size_ = 0;
 };
 
 } // namespace sahl

@@ -6,8 +6,8 @@
 
 namespace sahl {
 
-/// Bad input: where (file and line, or file and JSON pointer), what is wrong and why, and what to do about it.
-/// what() reads `place: problem; remedy`.
+/// Bad input: where (file and line, or file and JSON pointer), what is wrong and why, and what to do about
+/// it. what() reads `place: problem; remedy`.
 class InputError : public std::runtime_error {
   public:
     InputError(std::string const& place, std::string const& problem, std::string const& remedy)

@@ -8,7 +8,8 @@
 
 namespace sahl {
 
-/// Levenshtein distance: single-character insertions, deletions and replacements that turn one word into the other.
+/// Levenshtein distance: single-character insertions, deletions and replacements that turn one word into the
+/// other.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)

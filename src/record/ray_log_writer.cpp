@@ -22,7 +22,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "chunks are written as they lie in memory");
 
-constexpr std::size_t chunk_rows = 65536; // 512 KiB of doubles: two fit the chunk cache of a reader, 1 MiB
+constexpr std::size_t chunk_rows = 16384; // 128 KiB of doubles: eight fit the chunk cache of a reader, 1 MiB
 constexpr std::size_t block_rows = 32;    // few enough that they and the ends of all columns stay in L1
 constexpr char const* remedy_of_writing = "see that the folder is there and has space, or choose another one";
 

@@ -1,6 +1,6 @@
 #include "report/drawing.h"
 
-#include "math/overloaded.h"
+#include "report/content.h"
 #include "report/frame.h"
 #include "report/html.h"
 #include "report/labels.h"
@@ -17,65 +17,12 @@ namespace {
 
 constexpr std::size_t most_segments = 6000, most_bodies = 300;
 
-struct SourceMark {
-    std::string name;
-    dvec3 at;
-};
-
-std::vector<SourceMark> source_marks(Scene const& scene) {
-    std::vector<SourceMark> marks;
-    for (SourceSpec const& source : scene.sources)
-        std::visit(Overloaded{[&](Beam const& e) {
-                                  marks.push_back({source.name, e.from});
-                              },
-                              [&](PointEmitter const& e) {
-                                  marks.push_back({source.name, e.at});
-                              },
-                              [&](LambertianEmitter const& e) {
-                                  marks.push_back({source.name, e.at});
-                              },
-                              [&](ExplicitRays const& e) {
-                                  if (!e.rays.empty())
-                                      marks.push_back({source.name, e.rays.front().origin});
-                              }},
-                   source.emitter);
-    return marks;
-}
-
 std::optional<Outline> outline_of(Body const& body, View const& view) {
     if (body.shape)
         return outline_of(*body.shape, body.to_world, view);
     if (body.mesh)
         return outline_of(*body.mesh, body.to_world, view);
     return std::nullopt;
-}
-
-/// Where a segment begins and, if it ends, ends.
-template <class Add>
-void each_end(Segment const& segment, Add add) {
-    add(segment.origin);
-    if (std::isfinite(segment.length))
-        add(segment.origin + segment.length * segment.direction);
-}
-
-dvec3 size_of(Scene const& scene, std::size_t bodies, Sample const& sample) {
-    Bounds xy, zz;
-    auto const add = [&](dvec3 const& p) {
-        xy.add(dvec2(p.x, p.y));
-        zz.add(dvec2(p.z));
-    };
-    for (std::size_t i = 0; i < bodies; ++i) {
-        Body const& body = scene.bodies[i];
-        for (dvec3 const& corner : body.shape  ? box_corners(*body.shape)
-                                   : body.mesh ? box_corners(body.mesh->low, body.mesh->high)
-                                               : std::vector<dvec3>())
-            add(body.to_world.point(corner));
-    }
-    for (Segment const* segment : sample.segments)
-        each_end(*segment, add);
-    for (SourceMark const& mark : source_marks(scene))
-        add(mark.at);
-    return {xy.size(), zz.size().x};
 }
 
 /// Points nearer than half a pixel to the last are left out; loops that a pixel covers are nothing.
@@ -123,7 +70,7 @@ struct Drawn {
     std::vector<std::pair<Body const*, Outline>> bodies;
 };
 
-Drawn outlined(Scene const& scene, std::size_t bodies, Sample const& sample, View const& view) {
+Drawn outlined(Scene const& scene, std::size_t bodies, Content const& content, View const& view) {
     Drawn drawn;
     drawn.frame.view = view;
     for (std::size_t i = 0; i < bodies; ++i)
@@ -131,10 +78,8 @@ Drawn outlined(Scene const& scene, std::size_t bodies, Sample const& sample, Vie
             drawn.content.add(*outline);
             drawn.bodies.emplace_back(&scene.bodies[i], std::move(*outline));
         }
-    for (Segment const* segment : sample.segments)
-        each_end(*segment, [&](dvec3 const& p) { drawn.content.add(view(p)); });
-    for (SourceMark const& mark : source_marks(scene))
-        drawn.content.add(view(mark.at));
+    for (dvec3 const& p : content.points)
+        drawn.content.add(view(p));
     return drawn;
 }
 
@@ -176,8 +121,7 @@ std::string figure_html(Scene const& scene, Drawn const& drawn, Sample const& sa
     dvec3 const viewer = frame.view.towards_viewer();
     int const away = 3 - frame.view.right - frame.view.up;
     std::string const seen_from = std::string(viewer[away] > 0.0 ? "+" : "−") + "xyz"[away];
-    double const width = frame.left + frame.width + 14.0, height = frame.top + frame.height + 42.0;
-    return "<figure><svg viewBox=\"0 0 " + coordinate(width) + " " + coordinate(height) +
+    return "<figure><svg viewBox=\"0 0 " + coordinate(frame.outer.x) + " " + coordinate(frame.outer.y) +
            "\" role=\"img\" aria-label=\"The scene seen from " + seen_from + "\">\n" +
            (css.empty() ? "" : "<style>" + css + "</style>\n") + axes_svg(frame) + bodies +
            rays_svg(sample.segments, frame) + sources +
@@ -205,30 +149,13 @@ std::string caption(PageInput const& input, Sample const& sample, std::size_t bo
 
 } // namespace
 
-Sample sample_of(std::vector<Segment> const& paths, std::size_t most) {
-    std::vector<std::size_t> starts; // of each ray
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        if (i == 0 || paths[i].ray != paths[i - 1].ray)
-            starts.push_back(i);
-    std::size_t const every = most == 0 ? 1 : std::max<std::size_t>(1, (paths.size() + most - 1) / most);
-    Sample sample;
-    for (std::size_t ray = 0; ray < starts.size(); ray += every) {
-        std::size_t const end = ray + 1 < starts.size() ? starts[ray + 1] : paths.size();
-        if (sample.rays > 0 && sample.segments.size() + end - starts[ray] > most)
-            continue;
-        ++sample.rays;
-        for (std::size_t i = starts[ray]; i < end && sample.segments.size() < most; ++i)
-            sample.segments.push_back(&paths[i]);
-    }
-    return sample;
-}
-
 std::string drawing_html(PageInput const& input, std::uint64_t rays) {
     Sample const sample = sample_of(input.paths, most_segments);
     std::size_t const bodies = std::min(input.scene.bodies.size(), most_bodies);
-    auto const views = best_views(size_of(input.scene, bodies, sample));
-    std::array<Drawn, 2> drawings{outlined(input.scene, bodies, sample, views[0]),
-                                  outlined(input.scene, bodies, sample, views[1])};
+    Content const content = content_of(input.scene, bodies, sample);
+    auto const views = best_views(content.size);
+    std::array<Drawn, 2> drawings{outlined(input.scene, bodies, content, views[0]),
+                                  outlined(input.scene, bodies, content, views[1])};
     bool const flat = set_frames(drawings);
     std::string css = ray_colours_css(sample.segments); // once: it holds for the whole page
     std::string out = std::string("<div class=\"") + (flat ? "views flat" : "views") + "\">\n";

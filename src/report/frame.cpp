@@ -14,7 +14,7 @@ constexpr double margin =
     0.10; // on each side, of the longer extent: room for labels and for rays that escape
 constexpr double smallest = 1e-6; // m, of a frame: a drawing of a single point needs some size
 constexpr double left = 58, right = 14, top = 12, bottom = 42; // pixels, for ticks and names
-constexpr double pixels_per_tick = 70;
+constexpr double pixels_per_tick = 70, pixels_per_row = 45;
 
 std::string text(double x, double y, char const* kind, std::string const& content) {
     return "<text class=\"" + std::string(kind) + "\" x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) +
@@ -92,6 +92,7 @@ Frame frame_about(View const& view, Bounds content, double width, double height)
     frame.top = top;
     frame.width = width - left - right;
     frame.height = frame.width * height;
+    frame.outer = {width, top + frame.height + bottom};
     dvec2 const least = size_with_margin(content);
     frame.scale = std::min(frame.width / least.x, frame.height / least.y);
     dvec2 const middle = 0.5 * (content.low + content.high);
@@ -124,15 +125,15 @@ std::optional<std::pair<dvec2, dvec2>> clipped(Frame const& frame, dvec2 const& 
 std::string axes_svg(Frame const& frame) {
     std::string out;
     double const foot = frame.top + frame.height, end = frame.left + frame.width;
-    auto const ticks = [](double low, double high, double pixels) {
-        return round_ticks(1e3 * low, 1e3 * high, std::max(2, static_cast<int>(pixels / pixels_per_tick)));
+    auto const ticks = [](double low, double high, double most) {
+        return round_ticks(1e3 * low, 1e3 * high, std::max(2, static_cast<int>(most)));
     };
-    for (double const mm : ticks(frame.world.low.x, frame.world.high.x, frame.width)) {
+    for (double const mm : ticks(frame.world.low.x, frame.world.high.x, frame.width / pixels_per_tick)) {
         double const x = frame.pixel({1e-3 * mm, 0.0}).x;
         out += line({x, frame.top}, {x, foot}, "grid") + line({x, foot}, {x, foot + 5.0}, "axis") +
                text(x, foot + 18.0, "middle", tick_label(mm));
     }
-    for (double const mm : ticks(frame.world.low.y, frame.world.high.y, frame.height)) {
+    for (double const mm : ticks(frame.world.low.y, frame.world.high.y, frame.height / pixels_per_row)) {
         double const y = frame.pixel({0.0, 1e-3 * mm}).y;
         out += line({frame.left, y}, {end, y}, "grid") +
                line({frame.left - 5.0, y}, {frame.left, y}, "axis") +

@@ -30,6 +30,7 @@ struct Frame {
     Bounds world;
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0; // pixels
     double scale = 1.0;                                      // pixels per metre
+    dvec2 outer{0.0};                                        // pixels, of the drawing with ticks and names
 
     dvec2 pixel(dvec2 const& p) const {
         return {left + (p.x - world.low.x) * scale, top + (world.high.y - p.y) * scale};

@@ -9,6 +9,9 @@ namespace sahl::report {
 
 namespace {
 
+/// A coordinate in mm or a part of a direction below this is rounding: a millionth of a nanometre.
+constexpr double least_part = 1e-12;
+
 bool is_continuation(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
@@ -204,8 +207,11 @@ std::string shown(Value const* value) {
     if (!list || list->empty())
         return "–";
     std::string out;
-    for (Value const& entry : *list)
-        out += (out.empty() ? "(" : ", ") + shown(&entry);
+    for (Value const& entry : *list) {
+        auto const part = as_number(entry);
+        bool const rounding = part && std::abs(*part) < least_part;
+        out += (out.empty() ? "(" : ", ") + (rounding ? "0" : shown(&entry));
+    }
     return out + ")";
 }
 

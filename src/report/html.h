@@ -53,7 +53,7 @@ std::optional<std::vector<double>> numbers_at(Value const& value,
 std::vector<std::pair<std::string, Value const*>> entries_at(Value const& value, std::string_view key);
 
 /// Escaped HTML for a number, a list of numbers "(1, 2, 3)", a text or a truth; an en dash where there is
-/// none.
+/// none. Parts of a list that are smaller than any length or direction can mean are 0.
 std::string shown(Value const* value);
 
 /// <table> with a heading row. Cells are HTML already; columns after the first are set as figures.

@@ -36,7 +36,10 @@ std::string labels_svg(std::vector<Label> const& labels, PixelBox const& frame) 
                                            {label.of.high.x + gap + 0.5 * size.x, middle.y},
                                            {label.of.low.x - gap - 0.5 * size.x, middle.y},
                                            middle}};
-        for (dvec2 const& at : places) {
+        for (dvec2 at : places) {
+            double const room = 0.5 * size.x + gap; // moved sideways where the frame's edge is near
+            if (at.x == middle.x && frame.high.x - frame.low.x > 2.0 * room)
+                at.x = std::clamp(at.x, frame.low.x + room, frame.high.x - room);
             PixelBox const box{at - 0.5 * size, at + 0.5 * size};
             if (!contains(frame, box) ||
                 std::any_of(taken.begin(), taken.end(), [&](auto const& t) { return overlap(t, box); }))

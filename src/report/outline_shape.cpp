@@ -40,12 +40,24 @@ Polyline hull(Polyline points) {
     return chain;
 }
 
+double twice_area(Polyline const& loop) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        sum += cross_of(loop[i] - loop[0], loop[(i + 1) % loop.size()] - loop[0]);
+    return sum;
+}
+
+/// Does the loop cover less than a billionth of a square of its length, which no drawing shows?
+bool is_flat(Polyline const& loop) {
+    double way = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        way += length(loop[(i + 1) % loop.size()] - loop[i]);
+    return std::abs(twice_area(loop)) <= 1e-9 * way * way;
+}
+
 /// So that overlapping loops add up under the nonzero rule.
 Polyline counterclockwise(Polyline loop) {
-    double twice_area = 0.0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        twice_area += cross_of(loop[i], loop[(i + 1) % loop.size()]);
-    if (twice_area < 0.0)
+    if (twice_area(loop) < 0.0)
         std::reverse(loop.begin(), loop.end());
     return loop;
 }
@@ -78,7 +90,12 @@ struct Pen {
         return length(side) > 0.0 ? normalize(side) : dvec3(1, 0, 0);
     }
 
-    void closed(std::vector<dvec3> corners) { out.area.push_back(counterclockwise(at(corners))); }
+    /// Nothing where the loop is seen on edge.
+    void closed(std::vector<dvec3> const& corners) {
+        Polyline loop = counterclockwise(at(corners));
+        if (!is_flat(loop))
+            out.area.push_back(std::move(loop));
+    }
     void line(std::vector<dvec3> points) { out.lines.push_back(at(points)); }
     void ring(Polyline loop) {
         loop.push_back(loop.front());
@@ -169,7 +186,14 @@ struct Pen {
     }
     void draw(Rectangle const& s) {
         dvec2 const h = 0.5 * s.size;
-        closed({{-h.x, -h.y, 0}, {h.x, -h.y, 0}, {h.x, h.y, 0}, {-h.x, h.y, 0}});
+        std::vector<dvec3> const corners{{-h.x, -h.y, 0}, {h.x, -h.y, 0}, {h.x, h.y, 0}, {-h.x, h.y, 0}};
+        closed(corners);
+        if (!out.area.empty())
+            return;
+        // on edge a single line, since dashes there and back would fill each other's gaps: the longer
+        // diagonal
+        bool const first = length(at(corners[2]) - at(corners[0])) > length(at(corners[3]) - at(corners[1]));
+        line(first ? std::vector{corners[0], corners[2]} : std::vector{corners[1], corners[3]});
     }
     void draw(Disk const& s) {
         out.area.push_back(counterclockwise(circle(0.0, s.radius)));

@@ -143,10 +143,11 @@ std::string report_page(PageInput const& input) {
     out += head_html(summary) + box_html(summary, "failures", "bad", "A check of the physics failed") +
            box_html(summary, "warnings", "warnings", "Warnings");
     out += section("Scene and paths", drawing_html(input, count_at(summary, "rays").value_or(0)));
-    out += section("Where the power went", ledger_html(summary));
+    out += section(input.sweep.empty() ? "Where the power went" : "Where the power of all runs went",
+                   ledger_html(summary));
     out += section("Sweep", sweep_html(input));
     out += section("Detectors", detectors_html(input));
-    out += "<div class=\"two\">" + section("Objects", objects_html(summary)) +
+    out += section("Objects", objects_html(summary)) + "<div class=\"two\">" +
            section("Events", events_html(summary)) + section("Lost rays", lost_rays_html(summary)) +
            section("Mean direction of escaped light", escaped_html(summary)) + "</div>\n";
     return out + options_html(summary) + "</main></body></html>\n";

@@ -14,7 +14,7 @@ namespace sahl::report {
 namespace {
 
 constexpr double faintest = 0.08, strongest = 0.80;
-constexpr double decades = 4.0; // of power from strongest to faintest
+constexpr double decades = 3.0; // of power from strongest to faintest
 constexpr int levels = 12;      // of opacity
 constexpr std::size_t most_swatches = 12;
 

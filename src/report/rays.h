@@ -11,7 +11,7 @@
 namespace sahl::report {
 
 /// One path element for all lines of one colour and one opacity, the faintest first. Opacity falls with the
-/// logarithm of the power: full at the strongest segment, a quarter less for each factor of ten, never below
+/// logarithm of the power: full at the strongest segment, a third less for each factor of ten, never below
 /// 0.08.
 std::string rays_svg(std::vector<Segment const*> const& segments, Frame const& frame);
 

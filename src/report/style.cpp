@@ -50,10 +50,11 @@ line.bar{stroke:var(--ink);stroke-width:1.2}
 .sheet .area{fill:var(--glass-fill);stroke:var(--soft);stroke-width:2}
 .sheet path{stroke:var(--soft)}
 .detector path{fill:none;stroke:var(--detector);stroke-width:1.8;stroke-dasharray:6 4}
-.rays{isolation:isolate}
+.rays{isolation:isolate;opacity:.88}
 .rays path{fill:none;stroke:currentColor;stroke-width:1;mix-blend-mode:multiply}
 @media (prefers-color-scheme:dark){.rays path{mix-blend-mode:screen}}
 .source{fill:var(--card);stroke:var(--ink);stroke-width:1.5}
+.chart{max-width:640px}
 .curve{fill:none;stroke:var(--accent);stroke-width:1.8;stroke-linejoin:round}
 .dot{fill:var(--accent)}
 .legend{display:flex;flex-wrap:wrap;gap:.2rem 1.3rem;align-items:center;font-size:.9rem;margin-top:.8rem}
@@ -65,11 +66,11 @@ div.bar{display:flex;height:2.2rem;border-radius:6px;overflow:hidden;margin:1rem
 table{border-collapse:collapse;font-size:.92rem;font-variant-numeric:tabular-nums}
 th,td{padding:.28rem 1.4rem .28rem 0;text-align:left;border-bottom:1px solid var(--line);white-space:nowrap}
 th{color:var(--soft);font-weight:550;font-size:.85rem}
-td:first-child{white-space:normal;overflow-wrap:anywhere}
+td:first-child{white-space:normal;overflow-wrap:anywhere;min-width:7rem}
 sup{line-height:0}
 .beside{display:flex;flex-wrap:wrap;gap:1.2rem 2rem;align-items:flex-start;margin-bottom:.6rem}
 .beside img{max-width:min(100%,460px);border-radius:6px}
-.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,380px),1fr));gap:0 3rem}
+.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,480px),1fr));gap:0 3rem}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.25rem 1.2rem;margin:0;font-variant-numeric:tabular-nums}
 dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}
 details{margin:.8rem 0 0}

@@ -13,8 +13,12 @@ namespace {
 
 constexpr std::uint64_t pilot_rays = 256; // per source
 
-Value text(std::string s) { return {std::move(s), {}}; }
-Value whole(std::uint64_t n) { return {static_cast<std::int64_t>(n), {}}; }
+Value text(std::string s) {
+    return {std::move(s), {}};
+}
+Value whole(std::uint64_t n) {
+    return {static_cast<std::int64_t>(n), {}};
+}
 
 /// What pilot rays of one source meet.
 struct Pilot {
@@ -28,7 +32,8 @@ struct Census {
     std::vector<std::uint64_t> detector_hits, detector_backs;
 };
 
-Census pilot(Scene const& scene, WavelengthTable const& optics, Emission const& emission, TraceOptions const& options) {
+Census pilot(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
+             TraceOptions const& options) {
     Census census;
     census.body_met.resize(scene.bodies.size());
     census.detector_hits.resize(scene.detectors.size());
@@ -47,12 +52,14 @@ Census pilot(Scene const& scene, WavelengthTable const& optics, Emission const& 
             for (Segment const& segment : batch.log.segments) {
                 if (segment.surface < 0)
                     continue;
-                Body const& body = scene.bodies[scene.faces[static_cast<std::size_t>(segment.surface)].body.value];
+                Body const& body =
+                    scene.bodies[scene.faces[static_cast<std::size_t>(segment.surface)].body.value];
                 census.body_met[scene.faces[static_cast<std::size_t>(segment.surface)].body.value] = true;
                 if (body.detector) {
                     DetectorSpec const& detector = scene.detectors[body.detector->value];
                     bool const front = dot(segment.direction, detector.to_world.linear[2]) < 0.0;
-                    ++(front || detector.back ? census.detector_hits : census.detector_backs)[body.detector->value];
+                    ++(front || detector.back ? census.detector_hits
+                                              : census.detector_backs)[body.detector->value];
                 }
             }
         }
@@ -63,7 +70,9 @@ Census pilot(Scene const& scene, WavelengthTable const& optics, Emission const& 
 Value mesh_health(Mesh const& mesh) {
     Array shells;
     for (MeshShell const& shell : mesh.shells)
-        shells.push_back({Table{{"kind", text(shell.sign > 0 ? "body" : "cavity")}, {"volume_mm3", {shell.volume * 1e9, {}}}}, {}});
+        shells.push_back({Table{{"kind", text(shell.sign > 0 ? "body" : "cavity")},
+                                {"volume_mm3", {shell.volume * 1e9, {}}}},
+                          {}});
     dvec3 const size = (mesh.high - mesh.low) * 1e3;
     return {Table{{"triangles", whole(mesh.soup.triangles.size())},
                   {"closed", {mesh.closed(), {}}},
@@ -80,13 +89,16 @@ Value mesh_health(Mesh const& mesh) {
 void add_warnings(std::vector<std::string>& warnings, Scene const& scene, Census const& census) {
     for (std::size_t s = 0; s < census.sources.size(); ++s)
         if (census.sources[s].met_something == 0)
-            warnings.push_back("source " + scene.sources[s].name + ": none of its " + std::to_string(census.sources[s].rays) +
+            warnings.push_back("source " + scene.sources[s].name + ": none of its " +
+                               std::to_string(census.sources[s].rays) +
                                " pilot rays meets anything: see from_mm and toward");
     for (std::size_t d = 0; d < scene.detectors.size(); ++d)
         if (census.detector_hits[d] == 0)
-            warnings.push_back("detector " + scene.detectors[d].name +
-                               (census.detector_backs[d] ? ": pilot rays meet it only from behind: turn `facing` round, or set back = true"
-                                                         : ": no pilot ray reaches it"));
+            warnings.push_back(
+                "detector " + scene.detectors[d].name +
+                (census.detector_backs[d]
+                     ? ": pilot rays meet it only from behind: turn `facing` round, or set back = true"
+                     : ": no pilot ray reaches it"));
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
         if (!scene.bodies[b].detector && !census.body_met[b])
             warnings.push_back("object " + scene.bodies[b].name + ": no pilot ray reaches it");
@@ -97,7 +109,8 @@ void write(std::ostringstream& out, Value const& value, int indent) {
     auto const scalar = [](Value const& v) { return to_json(v); };
     auto const flat = [](Value const& v) {
         auto const* const array = std::get_if<Array>(&v.data);
-        return array && std::all_of(array->begin(), array->end(), [](Value const& e) { return e.is_number(); });
+        return array &&
+               std::all_of(array->begin(), array->end(), [](Value const& e) { return e.is_number(); });
     };
     auto const inline_text = [&](Value const& v) -> std::string {
         if (auto const* const s = std::get_if<std::string>(&v.data))
@@ -111,7 +124,8 @@ void write(std::ostringstream& out, Value const& value, int indent) {
     };
     if (auto const* const table = std::get_if<Table>(&value.data)) {
         for (auto const& [key, entry] : *table) {
-            bool const nested = std::holds_alternative<Table>(entry.data) || (std::holds_alternative<Array>(entry.data) && !flat(entry));
+            bool const nested = std::holds_alternative<Table>(entry.data) ||
+                                (std::holds_alternative<Array>(entry.data) && !flat(entry));
             out << margin << key << ":" << (nested ? "" : " " + inline_text(entry)) << "\n";
             if (nested)
                 write(out, entry, indent + 2);
@@ -151,7 +165,8 @@ Value check_experiment(ExperimentSource const& source) {
     for (Body const& body : scene.bodies) {
         if (body.detector)
             continue;
-        objects.emplace_back(body.name, text(body.open ? "open surface" : "body of " + scene.media[body.medium.value].name));
+        objects.emplace_back(
+            body.name, text(body.open ? "open surface" : "body of " + scene.media[body.medium.value].name));
         if (body.mesh)
             models.emplace_back(body.name, mesh_health(*body.mesh));
     }
@@ -165,16 +180,18 @@ Value check_experiment(ExperimentSource const& source) {
         media.emplace_back(scene.media[m].name, Value{std::move(indices), {}});
     }
     for (std::size_t s = 0; s < scene.sources.size(); ++s)
-        sources.emplace_back(scene.sources[s].name,
-                             Value{Table{{"rays", whole(emission.first_rays()[s + 1] - emission.first_rays()[s])},
-                                         {"starts_in", text(census.sources[s].starts_in)},
-                                         {"pilot_rays", whole(census.sources[s].rays)},
-                                         {"pilot_rays_that_meet_something", whole(census.sources[s].met_something)}},
-                                   {}});
+        sources.emplace_back(
+            scene.sources[s].name,
+            Value{Table{{"rays", whole(emission.first_rays()[s + 1] - emission.first_rays()[s])},
+                        {"starts_in", text(census.sources[s].starts_in)},
+                        {"pilot_rays", whole(census.sources[s].rays)},
+                        {"pilot_rays_that_meet_something", whole(census.sources[s].met_something)}},
+                  {}});
     for (std::size_t d = 0; d < scene.detectors.size(); ++d)
-        detectors.emplace_back(scene.detectors[d].name, Value{Table{{"pilot_hits", whole(census.detector_hits[d])},
-                                                                    {"pilot_hits_from_behind", whole(census.detector_backs[d])}},
-                                                              {}});
+        detectors.emplace_back(scene.detectors[d].name,
+                               Value{Table{{"pilot_hits", whole(census.detector_hits[d])},
+                                           {"pilot_hits_from_behind", whole(census.detector_backs[d])}},
+                                     {}});
     std::vector<std::string> contacts;
     for (auto const& [one, other] : scene.bvh->contacts())
         contacts.push_back(scene.faces[one.value].name + " touches " + scene.faces[other.value].name);
@@ -197,8 +214,8 @@ Value check_model(std::filesystem::path const& file) {
     std::vector<std::string> instances, warnings = model.warnings;
     for (ModelMaterial const& material : model.materials) {
         char line[160];
-        std::snprintf(line, sizeof line, "transmission %g, index %g, metallic %g, %s", material.transmission, material.ior,
-                      material.metallic, material.volume ? "a body (volume)" : "no volume");
+        std::snprintf(line, sizeof line, "transmission %g, index %g, metallic %g, %s", material.transmission,
+                      material.ior, material.metallic, material.volume ? "a body (volume)" : "no volume");
         materials.emplace_back(material.name, text(line));
         for (std::string const& warning : material.warnings)
             warnings.push_back(material.name + ": " + warning);
@@ -207,10 +224,12 @@ Value check_model(std::filesystem::path const& file) {
         instances.push_back(instance.name + " (mesh " + model.meshes[instance.mesh].name + ")");
     for (std::size_t i = 0; i < model.meshes.size(); ++i) {
         Mesh const mesh = make_mesh(model.meshes[i].soup);
-        std::string const name = model.meshes[i].name.empty() ? "mesh " + std::to_string(i) : model.meshes[i].name;
+        std::string const name =
+            model.meshes[i].name.empty() ? "mesh " + std::to_string(i) : model.meshes[i].name;
         models.emplace_back(name, mesh_health(mesh));
         if (!mesh.closed())
-            warnings.push_back(name + ": not closed: it has no inside, and rays that find a hole will be counted as leaks");
+            warnings.push_back(
+                name + ": not closed: it has no inside, and rays that find a hole will be counted as leaks");
     }
     return {Table{{"file", text(file.string())},
                   {"instances", list_of(instances)},

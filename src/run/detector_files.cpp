@@ -6,14 +6,18 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <numeric>
 
 namespace sahl {
 
 namespace {
 
 constexpr double per_mm2 = 1e-6; // of W/m²
+constexpr double spot_to_mean =
+    30.0; // peak over mean from which on a picture is drawn with a logarithmic scale
 
-void write_csv(DetectorRecord const& record, std::vector<double> const& field, std::filesystem::path const& file) {
+void write_csv(DetectorRecord const& record, std::vector<double> const& field,
+               std::filesystem::path const& file) {
     std::ofstream out(file, std::ios::binary);
     auto const number = [](double x) {
         char text[40];
@@ -43,7 +47,10 @@ std::string write_detector_files(DetectorRecord const& record, std::filesystem::
     std::string name = spec.name;
     std::replace_if(
         name.begin(), name.end(),
-        [](unsigned char c) { return c < 0x20 || std::string_view("/\\:*?\"<>|").find(static_cast<char>(c)) != std::string_view::npos; },
+        [](unsigned char c) {
+            return c < 0x20 ||
+                   std::string_view("/\\:*?\"<>|").find(static_cast<char>(c)) != std::string_view::npos;
+        },
         '_');
     std::vector<double> const field = record.irradiance();
     Image image{spec.columns, spec.rows, 1, {}};
@@ -53,8 +60,11 @@ std::string write_detector_files(DetectorRecord const& record, std::filesystem::
                 {{"title", title}, {"unit", "W/mm2"}, {"detector", spec.name}});
     write_csv(record, field, folder / (name + ".csv"));
     double const peak = std::max(record.peak() * per_mm2, 1e-300);
-    write_image(folder / (name + ".png"),
-                false_colour(image, peak, 0.0, spec.name, "W/mm\xC2\xB2", spec.size.x * 1e3, spec.size.y * 1e3));
+    double const mean =
+        std::accumulate(field.begin(), field.end(), 0.0) / static_cast<double>(field.size()) * per_mm2;
+    double const decades = peak > spot_to_mean * mean ? 4.0 : 0.0;
+    write_image(folder / (name + ".png"), false_colour(image, peak, decades, spec.name, "W/mm\xC2\xB2",
+                                                       spec.size.x * 1e3, spec.size.y * 1e3));
     return name + ".png";
 }
 

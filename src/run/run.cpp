@@ -3,6 +3,7 @@
 #include "math/input_error.h"
 #include "report/page.h"
 #include "run/detector_files.h"
+#include "run/polarisation_pilot.h"
 #include "run/run_folder.h"
 #include "run/sha256.h"
 #include "run/summary.h"
@@ -83,6 +84,10 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
     RunFacts const facts{program_name(), sha256(source.text), source.set};
 
+    if (experiment.trace.polarised == Polarised::automatic)
+        for (std::string& warning : polarisation_warnings(run.scene, optics, emission, experiment.trace))
+            run.scene.warnings.push_back(std::move(warning));
+
     std::optional<RayLogWriter> log;
     bool const writes = !folder.empty();
     if (options.log_file)
@@ -99,7 +104,8 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         return run;
     fs::create_directories(folder);
     for (DetectorRecord const& record : outcome.detectors)
-        run.pictures.push_back("detectors/" + write_detector_files(record, folder / "detectors", experiment.title));
+        run.pictures.push_back("detectors/" +
+                               write_detector_files(record, folder / "detectors", experiment.title));
     write_text(folder / "summary.json", to_json(run.summary) + "\n");
     run.paths = sample_paths(run.scene, optics, emission, experiment.trace, run.rays_shown);
     return run;
@@ -126,8 +132,9 @@ ExperimentSource at_step(ExperimentSource const& source, SweepAxis const& axis, 
 RunResult run_sweep(ExperimentSource const& source, SweepAxis const& axis, RunOptions const& options,
                     fs::path const& folder) {
     if (options.log_file)
-        throw InputError(axis.place.text(), "a sweep makes a run, and a log, for each value",
-                         "leave --log FILE away and set trace.log = true: each run's log stands in its own folder");
+        throw InputError(
+            axis.place.text(), "a sweep makes a run, and a log, for each value",
+            "leave --log FILE away and set trace.log = true: each run's log stands in its own folder");
     std::vector<SweepRow> rows;
     std::optional<OneRun> first;
     RunResult result;
@@ -161,7 +168,9 @@ RunResult run_sweep(ExperimentSource const& source, SweepAxis const& axis, RunOp
 
 } // namespace
 
-std::string program_name() { return "sahl " SAHL_VERSION; }
+std::string program_name() {
+    return "sahl " SAHL_VERSION;
+}
 
 ExperimentSource load_experiment(fs::path const& file, std::vector<std::string> const& set) {
     ExperimentSource source;
@@ -174,7 +183,8 @@ ExperimentSource load_experiment(fs::path const& file, std::vector<std::string> 
 }
 
 RunResult run_experiment(ExperimentSource const& source, RunOptions const& options) {
-    Experiment const experiment = read_experiment(source.tree, source.file); // all errors of input, before a file is made
+    Experiment const experiment =
+        read_experiment(source.tree, source.file); // all errors of input, before a file is made
     std::optional<RunFolder> folder;
     if (!options.out.empty())
         folder.emplace(options.out);

@@ -24,10 +24,11 @@ struct ExperimentSource {
 ExperimentSource load_experiment(std::filesystem::path const& file, std::vector<std::string> const& set = {});
 
 struct RunOptions {
-    std::filesystem::path out;                        // empty: nothing is written
-    unsigned threads = 0;                             // 0: all there are
-    std::optional<std::filesystem::path> log_file;    // instead of rays.h5 in the folder; its presence turns the log on
-    Progress progress;                                // of each run
+    std::filesystem::path out; // empty: nothing is written
+    unsigned threads = 0;      // 0: all there are
+    std::optional<std::filesystem::path>
+        log_file;      // instead of rays.h5 in the folder; its presence turns the log on
+    Progress progress; // of each run
     std::function<void(std::size_t step, std::size_t steps)> sweep_progress;
 };
 
@@ -36,8 +37,8 @@ struct RunResult {
     std::vector<std::string> failures; // of the checks of physics; empty: all passed
 };
 
-/// Traces the experiment, or each step of its sweep, and writes summary.json, rays.h5 if asked for, detectors/,
-/// sweep.csv and report.html. Throws InputError, and then nothing is written.
+/// Traces the experiment, or each step of its sweep, and writes summary.json, rays.h5 if asked for,
+/// detectors/, sweep.csv and report.html. Throws InputError, and then nothing is written.
 RunResult run_experiment(ExperimentSource const& source, RunOptions const& options);
 
 /// "sahl 0.1.0".

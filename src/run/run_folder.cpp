@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// What a run writes; everything else in its folder is the user's.
-constexpr std::array<std::string_view, 6> written{"summary.json", "rays.h5", "report.html", "sweep.csv", "detectors", "runs"};
+constexpr std::array<std::string_view, 6> written{"summary.json", "rays.h5",   "report.html",
+                                                  "sweep.csv",    "detectors", "runs"};
 
 bool is_written(fs::path const& name) {
     return std::find(written.begin(), written.end(), name.string()) != written.end();
@@ -38,7 +39,8 @@ RunFolder::RunFolder(fs::path wanted) : wanted_(std::move(wanted)) {
     fs::remove_all(work_, error);
     fs::create_directories(work_, error);
     if (error)
-        throw InputError(work_.string(), "cannot be made: " + error.message(), "give an --out where you may write");
+        throw InputError(work_.string(), "cannot be made: " + error.message(),
+                         "give an --out where you may write");
 }
 
 RunFolder::~RunFolder() {

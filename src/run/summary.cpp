@@ -8,24 +8,44 @@ namespace sahl {
 
 namespace {
 
-Value of(double x) { return {std::isfinite(x) ? decltype(Value::data)(x) : decltype(Value::data)(std::monostate{}), {}}; }
-Value of(std::uint64_t n) { return {static_cast<std::int64_t>(n), {}}; }
-Value of(std::string text) { return {std::move(text), {}}; }
-Value of(bool b) { return {b, {}}; }
-Value of(Table table) { return {std::move(table), {}}; }
-Value of(Array array) { return {std::move(array), {}}; }
+Value of(double x) {
+    return {std::isfinite(x) ? decltype(Value::data)(x) : decltype(Value::data)(std::monostate{}), {}};
+}
+Value of(std::uint64_t n) {
+    return {static_cast<std::int64_t>(n), {}};
+}
+Value of(std::string text) {
+    return {std::move(text), {}};
+}
+Value of(bool b) {
+    return {b, {}};
+}
+Value of(Table table) {
+    return {std::move(table), {}};
+}
+Value of(Array array) {
+    return {std::move(array), {}};
+}
 Value of(std::vector<std::string> const& list) {
     Array array;
     for (std::string const& text : list)
         array.push_back(of(text));
     return of(std::move(array));
 }
-Value of(dvec3 const& v, double scale = 1.0) { return of(Array{of(v.x * scale), of(v.y * scale), of(v.z * scale)}); }
-Value of(dvec2 const& v, double scale = 1.0) { return of(Array{of(v.x * scale), of(v.y * scale)}); }
-Value nothing() { return {}; }
+Value of(dvec3 const& v, double scale = 1.0) {
+    return of(Array{of(v.x * scale), of(v.y * scale), of(v.z * scale)});
+}
+Value of(dvec2 const& v, double scale = 1.0) {
+    return of(Array{of(v.x * scale), of(v.y * scale)});
+}
+Value nothing() {
+    return {};
+}
 
 char const* name_of(BranchPolicy policy) {
-    return policy == BranchPolicy::split ? "split" : policy == BranchPolicy::roulette ? "roulette" : "dominant";
+    return policy == BranchPolicy::split      ? "split"
+           : policy == BranchPolicy::roulette ? "roulette"
+                                              : "dominant";
 }
 
 char const* name_of(Method method) {
@@ -65,7 +85,8 @@ Value detector_figures(DetectorRecord const& record, Scene const& scene, Wavelen
     table.emplace_back("peak_W_per_mm2", of(record.peak() * 1e-6));
     Table by_wavelength, by_source;
     for (std::size_t i = 0; i < record.by_wavelength().size(); ++i)
-        by_wavelength.emplace_back(nanometres(optics.wavelengths()[i]), figures(record.by_wavelength()[i], unit));
+        by_wavelength.emplace_back(nanometres(optics.wavelengths()[i]),
+                                   figures(record.by_wavelength()[i], unit));
     for (std::size_t i = 0; i < record.by_source().size(); ++i)
         by_source.emplace_back(scene.sources[i].name, figures(record.by_source()[i], unit));
     table.emplace_back("by_wavelength", of(std::move(by_wavelength)));
@@ -80,7 +101,8 @@ Value absorbed(Scene const& scene, Tally const& tally) {
         for (std::size_t i = 0; i < scene.faces.size(); ++i)
             if (scene.faces[i].body.value == body && tally.absorbed_at_face[i] != ExactSum{})
                 faces.emplace_back(scene.faces[i].name, of(tally.absorbed_at_face[i].value(tally.unit)));
-        table.emplace_back(name, of(Table{{"bulk", of(bulk.value(tally.unit))}, {"surface", of(std::move(faces))}}));
+        table.emplace_back(
+            name, of(Table{{"bulk", of(bulk.value(tally.unit))}, {"surface", of(std::move(faces))}}));
     };
     for (std::size_t body = 0; body < scene.bodies.size(); ++body)
         entry(scene.bodies[body].name, tally.absorbed_in_body[body], body);
@@ -118,13 +140,14 @@ Value models(Scene const& scene) {
     Table table;
     for (Body const& body : scene.bodies)
         if (body.mesh)
-            table.emplace_back(body.name, of(Table{{"triangles", of(std::uint64_t{body.mesh->soup.triangles.size()})},
-                                                   {"shells", of(std::uint64_t{body.mesh->shells.size()})},
-                                                   {"closed", of(body.mesh->closed())},
-                                                   {"boundary_edges", of(body.mesh->boundary_edges)},
-                                                   {"non_manifold_edges", of(body.mesh->non_manifold_edges)},
-                                                   {"degenerate_triangles", of(body.mesh->degenerate_triangles)},
-                                                   {"flipped_triangles", of(body.mesh->flipped_triangles)}}));
+            table.emplace_back(body.name,
+                               of(Table{{"triangles", of(std::uint64_t{body.mesh->soup.triangles.size()})},
+                                        {"shells", of(std::uint64_t{body.mesh->shells.size()})},
+                                        {"closed", of(body.mesh->closed())},
+                                        {"boundary_edges", of(body.mesh->boundary_edges)},
+                                        {"non_manifold_edges", of(body.mesh->non_manifold_edges)},
+                                        {"degenerate_triangles", of(body.mesh->degenerate_triangles)},
+                                        {"flipped_triangles", of(body.mesh->flipped_triangles)}}));
     return of(std::move(table));
 }
 
@@ -146,16 +169,20 @@ std::vector<std::string> failures_of(Experiment const& experiment, TraceOutcome 
     Tally const& tally = outcome.tally;
     double const emitted = tally.emitted.value(tally.unit), remainder = tally.remainder();
     if (std::abs(remainder) > experiment.limits.ledger * emitted) {
-        std::snprintf(text, sizeof text, "the ledger does not close: %.3g of the emitted power is missing (limit %.3g)",
+        std::snprintf(text, sizeof text,
+                      "the ledger does not close: %.3g of the emitted power is missing (limit %.3g)",
                       remainder / emitted, experiment.limits.ledger);
         failures.emplace_back(text);
     }
-    auto const lost = tally.ended[static_cast<std::size_t>(Event::leak)] + tally.ended[static_cast<std::size_t>(Event::invalid)];
-    double const share = static_cast<double>(lost) / static_cast<double>(std::max<std::uint64_t>(1, tally.segments()));
+    auto const lost = tally.ended[static_cast<std::size_t>(Event::leak)] +
+                      tally.ended[static_cast<std::size_t>(Event::invalid)];
+    double const share =
+        static_cast<double>(lost) / static_cast<double>(std::max<std::uint64_t>(1, tally.segments()));
     if (share > experiment.limits.leak) {
-        std::snprintf(text, sizeof text, "%llu of %llu segments leaked or were invalid (limit %.3g of them): see lost_rays",
-                      static_cast<unsigned long long>(lost), static_cast<unsigned long long>(tally.segments()),
-                      experiment.limits.leak);
+        std::snprintf(text, sizeof text,
+                      "%llu of %llu segments leaked or were invalid (limit %.3g of them): see lost_rays",
+                      static_cast<unsigned long long>(lost),
+                      static_cast<unsigned long long>(tally.segments()), experiment.limits.leak);
         failures.emplace_back(text);
     }
     return failures;
@@ -189,7 +216,8 @@ Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTab
     events.emplace_back("recovered", of(tally.recovered));
     Table detectors;
     for (DetectorRecord const& record : outcome.detectors)
-        detectors.emplace_back(record.spec().name, detector_figures(record, scene, optics, experiment, tally));
+        detectors.emplace_back(record.spec().name,
+                               detector_figures(record, scene, optics, experiment, tally));
     std::vector<std::string> const failures = failures_of(experiment, outcome);
     return of(Table{
         {"title", of(experiment.title)},

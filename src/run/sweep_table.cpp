@@ -16,7 +16,9 @@ double number_of(Value const& value) {
     return real ? *real : NAN;
 }
 
-bool is_time(std::string const& key) { return key == "seconds" || key == "segments_per_second" || key == "threads"; }
+bool is_time(std::string const& key) {
+    return key == "seconds" || key == "segments_per_second" || key == "threads";
+}
 
 /// All numbers of a summary under the path that leads to them; what is null in one run is NaN there.
 void flatten(Value const& value, std::string const& path, std::vector<std::pair<std::string, double>>& out) {
@@ -77,7 +79,8 @@ std::string sweep_csv(std::string const& key, std::vector<SweepRow> const& rows)
     for (std::size_t i = 0; i < rows.size(); ++i) {
         csv += text_of(rows[i].value);
         for (std::string const& column : columns) {
-            auto const cell = std::find_if(cells[i].begin(), cells[i].end(), [&](auto const& c) { return c.first == column; });
+            auto const cell = std::find_if(cells[i].begin(), cells[i].end(),
+                                           [&](auto const& c) { return c.first == column; });
             csv += "," + (cell == cells[i].end() ? std::string() : text_of(cell->second));
         }
         csv += "\n";
@@ -85,8 +88,8 @@ std::string sweep_csv(std::string const& key, std::vector<SweepRow> const& rows)
     return csv;
 }
 
-Value sweep_summary(std::string const& key, std::vector<SweepRow> const& rows, std::vector<std::string> const& set,
-                    std::vector<std::string> const& failures) {
+Value sweep_summary(std::string const& key, std::vector<SweepRow> const& rows,
+                    std::vector<std::string> const& set, std::vector<std::string> const& failures) {
     Table summary;
     auto const text_list = [](std::vector<std::string> const& list) {
         Array array;

@@ -16,11 +16,13 @@ constexpr std::size_t lost_rays_named = 20; // in the summary; all are counted
 
 } // namespace
 
-SumUnit power_unit(Emission const& emission) { return SumUnit::for_total(emission.power()); }
+SumUnit power_unit(Emission const& emission) {
+    return SumUnit::for_total(emission.power());
+}
 
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
-                         TraceOptions const& options, unsigned threads, RayLogWriter* log, std::uint64_t log_every,
-                         Progress const& progress) {
+                         TraceOptions const& options, unsigned threads, RayLogWriter* log,
+                         std::uint64_t log_every, Progress const& progress) {
     auto const start = std::chrono::steady_clock::now();
     SumUnit const unit = power_unit(emission);
     TraceContext const context{scene, optics, emission, options, unit, log ? log_every : 0};

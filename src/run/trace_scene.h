@@ -1,5 +1,5 @@
-// In: a scene and its options. Out: all of its rays traced, counted and recorded, on as many threads as are asked for.
-// run/trace_scene.cpp is the door to TBB.
+// In: a scene and its options. Out: all of its rays traced, counted and recorded, on as many threads as are
+// asked for. run/trace_scene.cpp is the door to TBB.
 #pragma once
 
 #include "record/detector.h"
@@ -26,8 +26,8 @@ using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 /// The same result, bit for bit, for any number of threads (0: all there are).
 ///   log   where segments go, or nullptr
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
-                         TraceOptions const& options, unsigned threads, RayLogWriter* log, std::uint64_t log_every,
-                         Progress const& progress);
+                         TraceOptions const& options, unsigned threads, RayLogWriter* log,
+                         std::uint64_t log_every, Progress const& progress);
 
 /// The unit in which the powers of this emission are summed.
 SumUnit power_unit(Emission const& emission);

@@ -39,8 +39,9 @@ struct ObjectSpec {
     std::string name;
     std::variant<Shape, ModelReference> what;
     Affine to_world;
-    std::optional<MediumId> medium;    // a closed shape needs one unless all its faces have a surface (then it is opaque)
-    std::optional<SurfaceId> surface;  // for all faces that `faces` does not name
+    std::optional<MediumId>
+        medium; // a closed shape needs one unless all its faces have a surface (then it is opaque)
+    std::optional<SurfaceId> surface; // for all faces that `faces` does not name
     std::vector<std::pair<std::string, SurfaceId>> faces;
     int priority = 0;
     Place place;
@@ -49,12 +50,12 @@ struct ObjectSpec {
 enum class Pattern { grid, hexagonal, random, sobol, fan, ring };
 
 struct Beam {
-    dvec3 from, toward, up;              // toward, up: unit, orthogonal; `up` is the second axis of a size, and of a fan
-    double radius = 0.0;                 // m; 0: a rectangle of `size`
-    dvec2 size{0.0};                     // m
+    dvec3 from, toward, up; // toward, up: unit, orthogonal; `up` is the second axis of a size, and of a fan
+    double radius = 0.0;    // m; 0: a rectangle of `size`
+    dvec2 size{0.0};        // m
     std::optional<double> gaussian_radius; // m, where the irradiance has fallen to 1/e²
     Pattern pattern = Pattern::grid;
-    std::uint64_t rays = 1;              // at least this many per wavelength
+    std::uint64_t rays = 1; // at least this many per wavelength
 };
 
 struct PointEmitter { // uniform in solid angle within the cone
@@ -89,12 +90,12 @@ struct SourceSpec {
 
 struct DetectorSpec {
     std::string name;
-    Affine to_world;            // of the rectangle z = 0, x along its width, y along `up`, z = `facing`
-    dvec2 size{0.0};            // m
-    std::uint32_t columns = 1;  // pixels along x
-    std::uint32_t rows = 1;     // pixels along y
+    Affine to_world;           // of the rectangle z = 0, x along its width, y along `up`, z = `facing`
+    dvec2 size{0.0};           // m
+    std::uint32_t columns = 1; // pixels along x
+    std::uint32_t rows = 1;    // pixels along y
     bool absorbs = true;
-    bool back = false;          // counts light that comes from behind too
+    bool back = false; // counts light that comes from behind too
     Place place;
 };
 
@@ -106,7 +107,7 @@ struct TraceOptions {
     std::uint32_t max_depth = 64; // [0, 65535] interactions
     double min_power = 1e-6;      // share of the source ray's power
     BranchPolicy branch = BranchPolicy::split;
-    double split_until = 0.1;     // with roulette
+    double split_until = 0.1; // with roulette
     Method method = Method::automatic;
     double tolerance = 1e-6;       // rad
     double tolerance_power = 1e-3; // share

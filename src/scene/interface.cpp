@@ -23,8 +23,8 @@ void take_place(Interface& found, NextHit const& hit, Crossing const& crossing, 
     found.against_facing = crossing.enters;
 }
 
-/// Of the bodies whose surfaces coincide here, the face whose surface counts: that of the body of higher priority, else
-/// of the only one that has a surface.
+/// Of the bodies whose surfaces coincide here, the face whose surface counts: that of the body of higher
+/// priority, else of the only one that has a surface.
 Crossing const& deciding(Scene const& scene, NextHit const& hit) {
     Crossing const* best = nullptr;
     auto const key = [&](Crossing const& c) {
@@ -58,13 +58,9 @@ std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside) {
     return best;
 }
 
-MediumId medium_at(Scene const& scene, ShellSet const& inside) {
-    auto const body = body_at(scene, inside);
-    return body ? scene.bodies[body->value].medium : scene.surroundings;
-}
-
-Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
-                       MediumId medium, LeftSheets const& left, Interface& found) {
+Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction,
+                       ShellSet const& inside, std::optional<ObjectId> body, LeftSheets const& left,
+                       Interface& found) {
     found.inside_after = inside;
     double from = 0.0;
     for (;;) {
@@ -83,6 +79,7 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
                 found.left.push_back(c.object);
 
         found.inside_before = found.inside_after;
+        found.body_before = body;
         Crossing const& first = hit.at_one_place.front();
         if (first.detector) { // nothing is crossed yet: bodies and mirrors at the same place are met next
             take_place(found, hit, first, direction);
@@ -91,10 +88,10 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
                 found.left.push_back(first.object);
             found.detector = scene.bodies[first.object].detector;
             found.surface.reset();
-            found.medium_after = medium;
+            found.body_after = body;
+            found.medium_after = medium_of(scene, body);
             return Meeting::interface;
         }
-        auto const body_before = body_at(scene, found.inside_after);
         for (Crossing const& c : hit.at_one_place)
             if (!c.open) {
                 if (!c.enters)
@@ -102,21 +99,22 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
                 else if (!found.inside_after.insert(c.shell))
                     return Meeting::too_deep;
             }
-        found.medium_after = medium_at(scene, found.inside_after);
+        found.body_after = body_at(scene, found.inside_after);
+        found.medium_after = medium_of(scene, found.body_after);
         found.detector.reset();
         if (first.open) { // it acts in place of the boundary that it lies on
             take_place(found, hit, first, direction);
             found.surface = scene.faces[first.face.value].surface;
             return Meeting::interface;
         }
-        auto const body_after = body_at(scene, found.inside_after);
         Crossing const& crossing = deciding(scene, hit);
         found.surface = scene.faces[crossing.face.value].surface;
-        bool const same_body = body_before == body_after; // it happens under a body of higher priority
-        if (!same_body && (found.surface || found.medium_after != medium)) {
+        bool const same_body = body == found.body_after; // it happens under a body of higher priority
+        if (!same_body && (found.surface || found.medium_after != medium_of(scene, body))) {
             take_place(found, hit, crossing, direction);
             return Meeting::interface;
         }
+        body = found.body_after;
         from = hit.t;
     }
 }

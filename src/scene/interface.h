@@ -7,7 +7,7 @@ namespace sahl {
 
 struct Interface {
     dvec3 point{0.0};
-    dvec3 normal{0.0};       // unit, facing: its dot product with the direction is ≤ 0 (unless interpolated)
+    dvec3 normal{0.0}; // unit, facing: its dot product with the direction is ≤ 0 (unless interpolated)
     dvec3 facet_normal{0.0}; // the same of the flat triangle
     double t = 0.0;
     FaceId face;
@@ -15,17 +15,21 @@ struct Interface {
     std::optional<SurfaceId> surface;   // none: a clean boundary
     std::optional<DetectorId> detector; // it is one
     bool against_facing = false;        // the light comes against the open surface's +z
+    std::optional<ObjectId> body_before, body_after;
     MediumId medium_after;
     ShellSet inside_before, inside_after; // on either side of it
-    LeftSheets left; // open surfaces at this place: not to be met again from here
+    LeftSheets left;                      // open surfaces at this place: not to be met again from here
 };
 
 enum class Meeting : std::uint8_t { interface, nothing, leak, too_deep };
 
-/// The next place where something happens: crossings between equal media without a surface are passed in silence.
-///   inside   the shells that the ray is in; medium: what it runs through
+/// The next place where something happens: crossings between equal media without a surface are passed in
+/// silence.
+///   inside   the shells that the ray is in; body: the one whose medium it runs through, body_at(scene,
+///   inside)
 /// `found` is written if the answer is `interface`, its t also after a leak.
-Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
-                       MediumId medium, LeftSheets const& left, Interface& found);
+Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction,
+                       ShellSet const& inside, std::optional<ObjectId> body, LeftSheets const& left,
+                       Interface& found);
 
 } // namespace sahl

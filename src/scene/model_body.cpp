@@ -11,7 +11,8 @@ namespace sahl {
 
 namespace {
 
-// Where the sRGB primaries' bands meet: a colour of three numbers is taken to hold over red, green and blue light.
+// Where the sRGB primaries' bands meet: a colour of three numbers is taken to hold over red, green and blue
+// light.
 constexpr double blue_to_green = 490e-9; // m
 constexpr double green_to_red = 580e-9;  // m
 
@@ -31,7 +32,8 @@ std::vector<std::pair<double, double>> absorption_of(ModelVolume const& volume) 
     std::array<double, 3> alpha{};
     bool any = false;
     for (std::size_t i = 0; i < 3; ++i) {
-        // a colour of 0 would absorb without end: what a double's smallest normal number leaves is black enough
+        // a colour of 0 would absorb without end: what a double's smallest normal number leaves is black
+        // enough
         double const colour = std::max(volume.attenuation_color[i], std::numeric_limits<double>::min());
         alpha[i] = -std::log(colour) / volume.attenuation_distance;
         any = any || alpha[i] > 0.0;
@@ -39,7 +41,10 @@ std::vector<std::pair<double, double>> absorption_of(ModelVolume const& volume) 
     if (!any)
         return {};
     double const step = 1e-12; // m: bands end as sharply as a table can say
-    return {{blue_to_green - step, alpha[2]}, {blue_to_green, alpha[1]}, {green_to_red - step, alpha[1]}, {green_to_red, alpha[0]}};
+    return {{blue_to_green - step, alpha[2]},
+            {blue_to_green, alpha[1]},
+            {green_to_red - step, alpha[1]},
+            {green_to_red, alpha[0]}};
 }
 
 MediumId medium_of(ModelMaterial const& material, Scene& scene, std::string const& name) {
@@ -75,7 +80,9 @@ std::optional<SurfaceId> surface_of(ModelMaterial const& material, Scene& scene,
     if (!glass)
         return add_surface(scene, {name, Absorber{}});
     char text[200];
-    std::snprintf(text, sizeof text, "%s: its base colour or transmission below 1 would absorb %.0f %% at each surface; it is traced as clear glass",
+    std::snprintf(text, sizeof text,
+                  "%s: its base colour or transmission below 1 would absorb %.0f %% at each surface; it is "
+                  "traced as clear glass",
                   name.c_str(), 100.0 * (1.0 - tint * material.transmission));
     if (std::find(scene.warnings.begin(), scene.warnings.end(), text) == scene.warnings.end())
         scene.warnings.push_back(text);
@@ -84,16 +91,17 @@ std::optional<SurfaceId> surface_of(ModelMaterial const& material, Scene& scene,
 
 } // namespace
 
-ModelBody body_of(ObjectSpec const& object, ModelReference const& reference, Model const& model, ModelMesh const& mesh,
-                  Scene& scene) {
+ModelBody body_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
+                  ModelMesh const& mesh, Scene& scene) {
     ModelBody body{object.medium.value_or(scene.surroundings), {}};
     bool has_medium = object.medium.has_value();
     for (auto const& material : mesh.face_material) {
         std::optional<SurfaceId> surface = object.surface;
         if (material) {
             ModelMaterial const& from_file = model.materials[*material];
-            auto const mapping = std::find_if(reference.materials.begin(), reference.materials.end(),
-                                              [&](MaterialMapping const& m) { return m.material == from_file.name; });
+            auto const mapping =
+                std::find_if(reference.materials.begin(), reference.materials.end(),
+                             [&](MaterialMapping const& m) { return m.material == from_file.name; });
             std::string const name = object.name + ":" + from_file.name;
             bool const mapped = mapping != reference.materials.end();
             if (mapped) {
@@ -115,16 +123,19 @@ ModelBody body_of(ObjectSpec const& object, ModelReference const& reference, Mod
         for (auto const& [name, surface] : object.faces)
             if (name == mesh.soup.face_names[face])
                 body.surfaces[face] = surface;
-    bool const clear = std::any_of(body.surfaces.begin(), body.surfaces.end(), [](auto const& s) { return !s; });
+    bool const clear =
+        std::any_of(body.surfaces.begin(), body.surfaces.end(), [](auto const& s) { return !s; });
     if (clear && !has_medium)
-        throw InputError(reference.place.text(), "nothing says what the model of '" + object.name + "' is made of",
+        throw InputError(reference.place.text(),
+                         "nothing says what the model of '" + object.name + "' is made of",
                          "give the object a medium, or map the file's materials with materials = {…}");
     return body;
 }
 
 bool wants_part(ModelReference const& reference, std::string const& instance) {
-    return reference.parts.empty() || std::any_of(reference.parts.begin(), reference.parts.end(),
-                                                  [&](auto const& part) { return part == "*" || part == instance; });
+    return reference.parts.empty() ||
+           std::any_of(reference.parts.begin(), reference.parts.end(),
+                       [&](auto const& part) { return part == "*" || part == instance; });
 }
 
 InputError no_such_part(ModelReference const& reference, Model const& model) {
@@ -158,7 +169,8 @@ void check_mapping(ModelReference const& reference, Model const& model) {
 std::string unique_name(Scene const& scene, std::string const& object, std::string node) {
     std::replace(node.begin(), node.end(), '.', '_');
     auto const taken = [&](std::string const& name) {
-        return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](Body const& b) { return b.name == name; });
+        return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                           [&](Body const& b) { return b.name == name; });
     };
     std::string const name = object + "." + (node.empty() ? "part" : node);
     if (!taken(name))

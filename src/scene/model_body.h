@@ -1,4 +1,5 @@
-// In: a model's materials and what the experiment maps them to. Out: what its bodies and their faces are made of.
+// In: a model's materials and what the experiment maps them to. Out: what its bodies and their faces are made
+// of.
 #pragma once
 
 #include "math/input_error.h"
@@ -12,10 +13,10 @@ struct ModelBody {
     std::vector<std::optional<SurfaceId>> surfaces; // by face
 };
 
-/// Media and surfaces that only the file describes are added to the scene. A mapping of the experiment goes before the
-/// object's medium and surface, and those before what the file says.
-ModelBody body_of(ObjectSpec const& object, ModelReference const& reference, Model const& model, ModelMesh const& mesh,
-                  Scene& scene);
+/// Media and surfaces that only the file describes are added to the scene. A mapping of the experiment goes
+/// before the object's medium and surface, and those before what the file says.
+ModelBody body_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
+                  ModelMesh const& mesh, Scene& scene);
 
 /// Does the experiment want the instance of this name?
 bool wants_part(ModelReference const& reference, std::string const& instance);

@@ -1,3 +1,4 @@
+// In: the tree of a whole experiment. Out: the experiment, its names compared, its sweep tried out.
 #include "scene/read_experiment.h"
 
 #include "math/input_error.h"

@@ -1,3 +1,4 @@
+// In: paths. Out: bytes, or why there are none.
 #include "scene/read_file.h"
 
 #include "math/input_error.h"

@@ -1,3 +1,5 @@
+// In: the tables [medium.NAME]. Out: media with their index and absorption, an id for each that is referred
+// to.
 #include "scene/read_media.h"
 
 #include "materials/catalogue.h"

@@ -1,3 +1,4 @@
+// In: the tables [[object]]. Out: shapes and models with their media, surfaces and places.
 #include "scene/read_objects.h"
 
 #include "math/input_error.h"

@@ -1,3 +1,4 @@
+// In: the tables [trace], [log], [limits], [sweep]. Out: options; what this version lacks is refused by name.
 #include "scene/read_options.h"
 
 #include "math/input_error.h"

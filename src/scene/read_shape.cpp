@@ -1,3 +1,4 @@
+// In: the table `shape` of an object. Out: an exact shape in metres; geometry judges whether it can exist.
 #include "scene/read_shape.h"
 
 #include "math/input_error.h"

@@ -1,3 +1,4 @@
+// In: the tables [[source]]. Out: emitters in the world, their wavelengths and their power.
 #include "scene/read_sources.h"
 
 #include "math/input_error.h"

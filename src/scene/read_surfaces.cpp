@@ -1,3 +1,4 @@
+// In: the tables [surface.NAME]. Out: surfaces, one kind each.
 #include "scene/read_surfaces.h"
 
 #include "materials/catalogue.h"

@@ -1,3 +1,5 @@
+// In: a table of an experiment file and the declaration of its keys. Out: its values, or the first thing
+// wrong with them.
 #include "scene/read_table.h"
 
 #include "math/input_error.h"

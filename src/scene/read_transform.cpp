@@ -1,3 +1,4 @@
+// In: scale, turns, moves and matrices as written. Out: affine maps and directions; quarter turns are exact.
 #include "scene/read_transform.h"
 
 #include "math/input_error.h"

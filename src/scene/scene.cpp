@@ -39,9 +39,15 @@ void Builder::add_shape(ObjectSpec const& object, Shape const& shape) {
     ObjectId const body = next_body();
     bool const open = is_open(shape);
     geometries.push_back({shape, object.to_world, next_face(), next_shell(), false, false});
-    scene.bodies.push_back(
-        {object.name, open, object.medium.value_or(scene.surroundings), object.priority, {}, nullptr, Method::automatic,
-         shape, object.to_world});
+    scene.bodies.push_back({object.name,
+                            open,
+                            object.medium.value_or(scene.surroundings),
+                            object.priority,
+                            {},
+                            nullptr,
+                            Method::automatic,
+                            shape,
+                            object.to_world});
     auto const names = face_names(shape);
     for (std::string_view name : names)
         scene.faces.push_back({names.size() == 1 ? object.name : object.name + "." + std::string(name), body,
@@ -52,7 +58,8 @@ void Builder::add_shape(ObjectSpec const& object, Shape const& shape) {
 
 void Builder::add_detector(DetectorSpec const& detector, DetectorId id) {
     ObjectId const body = next_body();
-    geometries.push_back({Shape(Rectangle{detector.size}), detector.to_world, next_face(), next_shell(), true, false});
+    geometries.push_back(
+        {Shape(Rectangle{detector.size}), detector.to_world, next_face(), next_shell(), true, false});
     scene.bodies.push_back({detector.name, true, scene.surroundings, 0, id, nullptr, Method::automatic,
                             Rectangle{detector.size}, detector.to_world});
     scene.faces.push_back({detector.name, body, {}});
@@ -84,11 +91,13 @@ void Builder::add_model(ObjectSpec const& object, ModelReference const& referenc
         if (!mesh)
             mesh = std::make_shared<Mesh const>(make_mesh(source.soup));
         ObjectId const body = next_body();
-        std::string const name = instances.size() == 1 ? object.name : unique_name(scene, object.name, instance->name);
+        std::string const name =
+            instances.size() == 1 ? object.name : unique_name(scene, object.name, instance->name);
         ModelBody const made = body_of(object, reference, model, source, scene);
         Method const method = object_method(*mesh, scene.mesh_method);
         Affine const to_world = compose(object.to_world, compose(unit, instance->to_world));
-        geometries.push_back({mesh, to_world, next_face(), next_shell(), false, method == Method::interpolated});
+        geometries.push_back(
+            {mesh, to_world, next_face(), next_shell(), false, method == Method::interpolated});
         scene.bodies.push_back({name, false, made.medium, object.priority, {}, mesh, method, {}, to_world});
         for (std::size_t face = 0; face < source.soup.face_names.size(); ++face)
             scene.faces.push_back({name + "." + source.soup.face_names[face], body, made.surfaces[face]});

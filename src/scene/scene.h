@@ -1,5 +1,5 @@
-// In: an experiment with its models read. Out: the scene as it is traced: shapes in the BVH, and by id what they are
-// made of. Where shape meets substance is interface.h.
+// In: an experiment with its models read. Out: the scene as it is traced: shapes in the BVH, and by id what
+// they are made of. Where shape meets substance is interface.h.
 #pragma once
 
 #include "geometry/bvh.h"
@@ -16,18 +16,18 @@ namespace sahl {
 struct Body {
     std::string name; // "prism", "bunny", "bunny.body" where a model has several
     bool open = false;
-    MediumId medium;  // of a closed body
+    MediumId medium; // of a closed body
     int priority = 0;
     std::optional<DetectorId> detector;
-    std::shared_ptr<Mesh const> mesh;   // of a model
-    Method method = Method::automatic;  // automatic: exact
-    std::optional<Shape> shape{};       // where it is exact; neither shape nor mesh: unknown
-    Affine to_world{};                  // of shape or mesh
+    std::shared_ptr<Mesh const> mesh;  // of a model
+    Method method = Method::automatic; // automatic: exact
+    std::optional<Shape> shape{};      // where it is exact; neither shape nor mesh: unknown
+    Affine to_world{};                 // of shape or mesh
 };
 
 struct Shell {
     ObjectId body;
-    int sign = 1; // +1: the body is inside; −1: a cavity of it
+    int sign = 1;     // +1: the body is inside; −1: a cavity of it
     bool only = true; // the body has no other shell
 };
 
@@ -46,7 +46,7 @@ struct Scene {
     std::vector<Face> faces;   // by FaceId
     std::vector<SourceSpec> sources;
     std::vector<DetectorSpec> detectors;
-    std::vector<std::string> models;   // files, as the experiment names them
+    std::vector<std::string> models; // files, as the experiment names them
     std::vector<std::string> warnings;
     Method mesh_method = Method::automatic; // what the experiment asks for
     std::unique_ptr<Bvh const> bvh;
@@ -55,10 +55,13 @@ struct Scene {
 /// Reads the experiment's models and puts everything in its place. Throws InputError.
 Scene build_scene(Experiment const& experiment);
 
-/// The body that fills a place: of those that the shells belong to, the one of highest priority, of equals the later.
+/// The body that fills a place: of those that the shells belong to, the one of highest priority, of equals
+/// the later.
 std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside);
 
 /// What fills a place: the body's medium, or the surroundings.
-MediumId medium_at(Scene const& scene, ShellSet const& inside);
+inline MediumId medium_of(Scene const& scene, std::optional<ObjectId> body) {
+    return body ? scene.bodies[body->value].medium : scene.surroundings;
+}
 
 } // namespace sahl

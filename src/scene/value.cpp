@@ -1,3 +1,4 @@
+// In: a tree of values. Out: an entry of a table, a place as a message writes it.
 #include "scene/value.h"
 
 #include <algorithm>

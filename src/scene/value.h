@@ -37,20 +37,21 @@ struct Value {
     Value* find(std::string_view key);
 };
 
-/// A table without entries. Its body stands here, and default-constructs a Value, so that clang has all of Value's
-/// members before it meets a std::pair of a Value, which asks whether it can be default-constructed.
+/// A table without entries. Its body stands here, and default-constructs a Value, so that clang has all of
+/// Value's members before it meets a std::pair of a Value, which asks whether it can be default-constructed.
 inline Value empty_table() {
     Value table;
     table.data = Table{};
     return table;
 }
 
-/// Both throw InputError with line and column at a syntax error. JSON deeper than 256 levels is refused before it is parsed.
+/// Both throw InputError with line and column at a syntax error. JSON deeper than 256 levels is refused
+/// before it is parsed.
 Value parse_toml(std::string_view text, std::string const& file);
 Value parse_json(std::string_view text, std::string const& file);
 
-/// Two spaces a level; numbers are the shortest that read back to the same double; a number that is not finite is null.
-/// Keys stand in the order of the table.
+/// Two spaces a level; numbers are the shortest that read back to the same double; a number that is not
+/// finite is null. Keys stand in the order of the table.
 std::string to_json(Value const& value);
 
 } // namespace sahl

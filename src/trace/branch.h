@@ -1,4 +1,5 @@
-// In: nothing. Out: a branch of a ray's tree that waits to be traced, and the policies that choose among its children.
+// In: nothing. Out: a branch of a ray's tree that waits to be traced, and the policies that choose among its
+// children.
 #pragma once
 
 #include "geometry/bvh.h"
@@ -16,18 +17,22 @@ struct Branch {
     std::uint64_t place = 0;   // hash of the choices from the root: the key of its random numbers
     std::uint32_t ray = 0;     // within the group that is traced together
     std::int32_t parent = -1;
+    std::optional<ObjectId> body; // whose medium it runs through
     MediumId medium;
     std::uint16_t depth = 0;
     Event born = Event::emitted;
     Event fate = Event::none; // cut_power, invalid: it ends where it begins
     ShellSet inside;
     LeftSheets left;
+
+    Branch() {} // by hand: the compiler's own would clear all of it before it sets what is named here
 };
 
-/// Splits, draws or drops: the branches that go on, with their power; a branch that is dropped stays, marked as cut.
+/// Splits, draws or drops: gives the branches that go on their power; a branch that is dropped stays, marked
+/// as cut.
 ///   power    that arrives, after absorption on the way (W)
 ///   initial  of the source's ray (W)
-void choose(Branches& branches, TraceOptions const& options, double power, double initial, std::uint16_t depth,
-            Draw const& draw, InlineVector<double, 2>& powers, InlineVector<Event, 2>& fates);
+void choose(Branches& branches, TraceOptions const& options, double power, double initial,
+            std::uint16_t depth, Draw const& draw);
 
 } // namespace sahl

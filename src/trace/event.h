@@ -29,6 +29,8 @@ inline constexpr std::array<std::string_view, 14> event_names{
     "none",    "emitted",   "refracted", "reflected", "total_internal", "absorbed", "detected",
     "escaped", "cut_power", "cut_depth", "leak",      "invalid",        "passed",   "scattered"};
 
-constexpr std::string_view name_of(Event event) { return event_names[static_cast<std::size_t>(event)]; }
+constexpr std::string_view name_of(Event event) {
+    return event_names[static_cast<std::size_t>(event)];
+}
 
 } // namespace sahl

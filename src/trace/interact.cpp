@@ -17,25 +17,28 @@ namespace {
 struct Encounter {
     dvec3 direction, normal;
     double n_before, n_after;
-    Incidence incidence() const {
-        double const cosine = -dot(direction, normal);
-        return {cosine, length(direction + cosine * normal)};
+    Outgoing reflected(double share, Event event) const {
+        return {reflect(direction, normal), share, event, false};
     }
-    Outgoing reflected(double share, Event event) const { return {reflect(direction, normal), share, event, false}; }
 };
 
 Branches dielectric(Encounter const& met) {
     Branches branches;
-    auto const shares = fresnel_dielectric(met.incidence(), met.n_before, met.n_after);
-    auto const through = shares ? refract(met.direction, met.normal, met.n_before, met.n_after) : std::nullopt;
-    if (!through) {
+    Approach const approach(met.direction, met.normal);
+    double const squared = transmitted_normal_squared(approach.incidence, met.n_before, met.n_after);
+    if (squared <= 0.0) {
         branches.ended = Event::total_internal;
         branches.outgoing.push_back(met.reflected(1.0, Event::total_internal));
         return branches;
     }
+    double const transmitted_normal = std::sqrt(squared);
+    FresnelShares const shares =
+        fresnel_shares(approach.incidence, met.n_before, met.n_after, transmitted_normal);
     branches.ended = Event::refracted;
-    branches.outgoing.push_back({*through, shares->transmittance(), Event::refracted, true});
-    if (double const r = shares->reflectance(); r > 0.0)
+    branches.outgoing.push_back(
+        {refracted(approach, met.normal, met.n_before, met.n_after, transmitted_normal),
+         shares.transmittance(), Event::refracted, true});
+    if (double const r = shares.reflectance(); r > 0.0)
         branches.outgoing.push_back(met.reflected(r, Event::reflected));
     return branches;
 }
@@ -62,7 +65,8 @@ Branches constant_shares(Encounter const& met, double reflect_share, double tran
 }
 
 Branches metallic(Encounter const& met, std::complex<double> metal) {
-    FresnelShares const shares = fresnel_metal(met.incidence(), met.n_before, metal);
+    FresnelShares const shares =
+        fresnel_metal(Approach(met.direction, met.normal).incidence, met.n_before, metal);
     Branches branches;
     branches.absorbed = shares.transmittance();
     branches.ended = Event::reflected;
@@ -77,7 +81,8 @@ Branches diffuse(Encounter const& met, double reflectance, Draw const& draw) {
     if (reflectance <= 0.0)
         return branches;
     // cosine law: a point of the unit disk, lifted onto the hemisphere (Malley's method)
-    dvec2 const disk = disk_from_square({uniform(draw.seed, draw.ray, draw.place, 1), uniform(draw.seed, draw.ray, draw.place, 2)});
+    dvec2 const disk = disk_from_square(
+        {uniform(draw.seed, draw.ray, draw.place, 1), uniform(draw.seed, draw.ray, draw.place, 2)});
     dvec3 const x = perpendicular_to(met.normal);
     dvec3 const y = cross(met.normal, x);
     double const up = std::sqrt(std::max(0.0, 1.0 - dot(disk, disk)));
@@ -97,8 +102,8 @@ bool keeps_sides(Branches const& branches, dvec3 const& facet_normal) {
 
 } // namespace
 
-Branches interact(Scene const& scene, WavelengthTable const& optics, Interface const& interface, dvec3 const& direction,
-                  MediumId medium, WavelengthId wavelength, Draw const& draw) {
+Branches interact(Scene const& scene, WavelengthTable const& optics, Interface const& interface,
+                  dvec3 const& direction, MediumId medium, WavelengthId wavelength, Draw const& draw) {
     auto const with = [&](dvec3 const& normal) {
         Encounter const met{direction, normal, optics.index(medium, wavelength),
                             optics.index(interface.medium_after, wavelength)};

@@ -14,7 +14,8 @@ namespace {
 
 enum Draw : std::uint32_t { first_coordinate = 11, second_coordinate = 12 }; // of the root's random numbers
 
-/// The points of a beam's pattern, in units of its radius, or of its size; empty where they are drawn by number.
+/// The points of a beam's pattern, in units of its radius, or of its size; empty where they are drawn by
+/// number.
 std::vector<dvec2> pattern_points(Beam const& beam) {
     bool const round = beam.radius > 0.0;
     dvec2 const unit = beam.size / std::max(beam.size.x, beam.size.y); // near-square cells
@@ -48,9 +49,13 @@ std::vector<dvec2> pattern_points(Beam const& beam) {
 }
 
 /// A beam without extent is one ray along its axis.
-bool is_line(Beam const& beam) { return beam.radius == 0.0 && beam.size == dvec2(0.0); }
+bool is_line(Beam const& beam) {
+    return beam.radius == 0.0 && beam.size == dvec2(0.0);
+}
 
-dvec3 across(dvec3 const& toward, dvec3 const& up, dvec2 const& p) { return p.x * cross(up, toward) + p.y * up; }
+dvec3 across(dvec3 const& toward, dvec3 const& up, dvec2 const& p) {
+    return p.x * cross(up, toward) + p.y * up;
+}
 
 } // namespace
 
@@ -84,10 +89,12 @@ Emission::Emission(std::vector<SourceSpec> const& sources, WavelengthTable const
         sources_.push_back(std::move(source));
         Prepared& prepared = sources_.back();
         Beam const* const beam = std::get_if<Beam>(&spec.emitter);
-        bool const equal = !std::holds_alternative<ExplicitRays>(spec.emitter) && !(beam && beam->gaussian_radius);
+        bool const equal =
+            !std::holds_alternative<ExplicitRays>(spec.emitter) && !(beam && beam->gaussian_radius);
         prepared.weights = equal ? static_cast<double>(prepared.rays) : 0.0;
         for (std::uint64_t i = 0; !equal && i < prepared.rays; ++i)
-            prepared.weights += weight(prepared, beam ? point(prepared, i, first_.back() + i) : dvec2(0.0), i);
+            prepared.weights +=
+                weight(prepared, beam ? point(prepared, i, first_.back() + i) : dvec2(0.0), i);
         first_.push_back(first_.back() + prepared.rays * prepared.wavelengths.size());
     }
 }
@@ -98,8 +105,9 @@ dvec2 Emission::point(Prepared const& source, std::uint64_t number, std::uint64_
     bool const sobol = std::visit(Overloaded{[](Beam const& b) { return b.pattern == Pattern::sobol; },
                                              [](auto const&) { return true; }},
                                   source.spec->emitter);
-    dvec2 const square = sobol ? sobol_2d(static_cast<std::uint32_t>(number), mix64(seed_))
-                               : dvec2(uniform(seed_, ray, 0, first_coordinate), uniform(seed_, ray, 0, second_coordinate));
+    dvec2 const square =
+        sobol ? sobol_2d(static_cast<std::uint32_t>(number), mix64(seed_))
+              : dvec2(uniform(seed_, ray, 0, first_coordinate), uniform(seed_, ray, 0, second_coordinate));
     Beam const* const beam = std::get_if<Beam>(&source.spec->emitter);
     if (!beam)
         return square;
@@ -125,39 +133,42 @@ Ray Emission::ray(std::uint64_t number) const {
     Ray ray;
     ray.source = {static_cast<std::uint32_t>(index)};
     ray.wavelength = source.wavelengths[colour];
-    std::visit(Overloaded{
-                   [&](Beam const& beam) {
-                       dvec2 const p = point(source, i, number);
-                       ray.origin = beam.from + across(beam.toward, beam.up, beam.radius > 0.0 ? beam.radius * p : beam.size * p);
-                       ray.direction = beam.toward;
-                       ray.power = weight(source, p, i);
-                   },
-                   [&](PointEmitter const& emitter) { // uniform in the cosine and in azimuth
-                       dvec2 const p = point(source, i, number);
-                       double const half = std::sin(0.5 * emitter.half_angle);
-                       double const drop = 2.0 * half * half * p.x; // 1 − cos
-                       double const side = std::sqrt(drop * (2.0 - drop)), azimuth = 2.0 * std::numbers::pi * p.y;
-                       dvec2 const circle(side * std::cos(azimuth), side * std::sin(azimuth));
-                       ray.origin = emitter.at;
-                       ray.direction = normalize((1.0 - drop) * emitter.toward + across(emitter.toward, emitter.up, circle));
-                       ray.power = 1.0;
-                   },
-                   [&](LambertianEmitter const& emitter) {
-                       dvec2 const p = point(source, i, number);
-                       dvec2 const disk = disk_from_square({uniform(seed_, number, 0, first_coordinate),
-                                                            uniform(seed_, number, 0, second_coordinate)});
-                       double const up = std::sqrt(std::max(0.0, 1.0 - dot(disk, disk)));
-                       ray.origin = emitter.at + across(emitter.toward, emitter.up, emitter.size * (p - 0.5));
-                       ray.direction = normalize(up * emitter.toward + across(emitter.toward, emitter.up, disk));
-                       ray.power = 1.0;
-                   },
-                   [&](ExplicitRays const& rays) {
-                       ray.origin = rays.rays[i].origin;
-                       ray.direction = rays.rays[i].direction;
-                       ray.power = rays.rays[i].weight;
-                   },
-               },
-               source.spec->emitter);
+    std::visit(
+        Overloaded{
+            [&](Beam const& beam) {
+                dvec2 const p = point(source, i, number);
+                ray.origin = beam.from + across(beam.toward, beam.up,
+                                                beam.radius > 0.0 ? beam.radius * p : beam.size * p);
+                ray.direction = beam.toward;
+                ray.power = weight(source, p, i);
+            },
+            [&](PointEmitter const& emitter) { // uniform in the cosine and in azimuth
+                dvec2 const p = point(source, i, number);
+                double const half = std::sin(0.5 * emitter.half_angle);
+                double const drop = 2.0 * half * half * p.x; // 1 − cos
+                double const side = std::sqrt(drop * (2.0 - drop)), azimuth = 2.0 * std::numbers::pi * p.y;
+                dvec2 const circle(side * std::cos(azimuth), side * std::sin(azimuth));
+                ray.origin = emitter.at;
+                ray.direction =
+                    normalize((1.0 - drop) * emitter.toward + across(emitter.toward, emitter.up, circle));
+                ray.power = 1.0;
+            },
+            [&](LambertianEmitter const& emitter) {
+                dvec2 const p = point(source, i, number);
+                dvec2 const disk = disk_from_square({uniform(seed_, number, 0, first_coordinate),
+                                                     uniform(seed_, number, 0, second_coordinate)});
+                double const up = std::sqrt(std::max(0.0, 1.0 - dot(disk, disk)));
+                ray.origin = emitter.at + across(emitter.toward, emitter.up, emitter.size * (p - 0.5));
+                ray.direction = normalize(up * emitter.toward + across(emitter.toward, emitter.up, disk));
+                ray.power = 1.0;
+            },
+            [&](ExplicitRays const& rays) {
+                ray.origin = rays.rays[i].origin;
+                ray.direction = rays.rays[i].direction;
+                ray.power = rays.rays[i].weight;
+            },
+        },
+        source.spec->emitter);
     ray.power *= source.spec->power * source.wavelength_share[colour] / source.weights;
     return ray;
 }

@@ -23,7 +23,8 @@ struct Tally {
     std::uint64_t recovered = 0;
 
     Tally(SumUnit power_unit, std::size_t bodies, std::size_t faces, std::size_t wavelengths)
-        : unit(power_unit), absorbed_in_body(bodies + 1), absorbed_at_face(faces), escaped_by_wavelength(wavelengths) {}
+        : unit(power_unit), absorbed_in_body(bodies + 1), absorbed_at_face(faces),
+          escaped_by_wavelength(wavelengths) {}
 
     std::uint64_t segments() const {
         std::uint64_t sum = 0;

@@ -10,10 +10,13 @@ namespace sahl {
 
 namespace {
 
-/// Rays whose trees grow together, generation by generation; few enough that their branches stay in the cache.
+/// Rays whose trees grow together, generation by generation; few enough that their branches stay in the
+/// cache.
 constexpr std::uint32_t rays_together = 128;
 
-bool finite(dvec3 const& v) { return std::isfinite(v.x + v.y + v.z); }
+bool finite(dvec3 const& v) {
+    return std::isfinite(v.x + v.y + v.z);
+}
 
 /// The trees of a group of rays, grown breadth first.
 class Grove {
@@ -28,7 +31,7 @@ class Grove {
     Event cut_or_none(Branch const& branch) const;
     double attenuate(Branch const& branch, double length);
     void detect(Branch const& branch, Interface const& interface, double power, double optical_path);
-    void push_children(Branch const& branch, Interface const& interface, Branches branches, double power,
+    void push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                        double optical_path);
     void pass_on(Branch const& branch, Interface const& interface, double power, double optical_path);
     void end(Branch const& branch, Event ended, double power, double length, double optical_path,
@@ -55,7 +58,8 @@ void Grove::grow(std::uint64_t first, std::uint32_t count) {
     }
     // generations lie one after another: put each ray's pieces together, their order kept
     auto const by_ray = [](auto const& a, auto const& b) { return a.ray < b.ray; };
-    std::stable_sort(result_.hits.begin() + static_cast<std::ptrdiff_t>(hits_before), result_.hits.end(), by_ray);
+    std::stable_sort(result_.hits.begin() + static_cast<std::ptrdiff_t>(hits_before), result_.hits.end(),
+                     by_ray);
     std::stable_sort(segments_.begin(), segments_.end(), by_ray);
     auto& log = result_.log.segments;
     log.insert(log.end(), segments_.begin(), segments_.end());
@@ -84,7 +88,8 @@ void Grove::plant(std::uint64_t first, std::uint32_t count) {
         } else {
             root.fate = Event::invalid;
         }
-        root.medium = medium_at(context_.scene, root.inside);
+        root.body = body_at(context_.scene, root.inside);
+        root.medium = medium_of(context_.scene, root.body);
         generation_.push_back(root);
     }
 }
@@ -96,7 +101,8 @@ Event Grove::cut_or_none(Branch const& branch) const {
         return Event::invalid;
     if (branch.depth > context_.options.max_depth)
         return Event::cut_depth;
-    return branch.power < context_.options.min_power * rays_[branch.ray].power ? Event::cut_power : Event::none;
+    return branch.power < context_.options.min_power * rays_[branch.ray].power ? Event::cut_power
+                                                                               : Event::none;
 }
 
 void Grove::trace(Branch const& branch) {
@@ -107,16 +113,18 @@ void Grove::trace(Branch const& branch) {
         return end(branch, fate, branch.power, 0.0, branch.optical_path, nullptr);
     }
     Interface interface;
-    Meeting const meeting = next_interface(context_.scene, branch.origin, branch.direction, branch.inside, branch.medium,
-                                           branch.left, interface);
+    Meeting const meeting = next_interface(context_.scene, branch.origin, branch.direction, branch.inside,
+                                           branch.body, branch.left, interface);
     if (meeting == Meeting::leak || meeting == Meeting::too_deep)
-        return lose(branch, meeting == Meeting::leak ? Event::leak : Event::invalid, branch.power, interface.t);
+        return lose(branch, meeting == Meeting::leak ? Event::leak : Event::invalid, branch.power,
+                    interface.t);
     WavelengthId const wavelength = rays_[branch.ray].wavelength;
     if (meeting == Meeting::nothing) {
         result_.tally.escape(branch.power, branch.direction, wavelength);
         return end(branch, Event::escaped, branch.power, INFINITY, INFINITY, nullptr);
     }
-    double const optical_path = branch.optical_path + context_.optics.index(branch.medium, wavelength) * interface.t;
+    double const optical_path =
+        branch.optical_path + context_.optics.index(branch.medium, wavelength) * interface.t;
     double const power = attenuate(branch, interface.t);
     if (interface.detector) {
         DetectorSpec const& detector = context_.scene.detectors[interface.detector->value];
@@ -130,16 +138,18 @@ void Grove::trace(Branch const& branch) {
         (counts ? result_.tally.detected : result_.tally.absorbed).add(power, context_.unit);
         if (!counts) // the back of an absorbing detector is black
             result_.tally.absorbed_at_face[interface.face.value].add(power, context_.unit);
-        return end(branch, counts ? Event::detected : Event::absorbed, power, interface.t, optical_path, &interface);
+        return end(branch, counts ? Event::detected : Event::absorbed, power, interface.t, optical_path,
+                   &interface);
     }
     Draw const draw{context_.options.seed, first_ + branch.ray, branch.place};
-    Branches const branches =
-        interact(context_.scene, context_.optics, interface, branch.direction, branch.medium, wavelength, draw);
+    Branches branches = interact(context_.scene, context_.optics, interface, branch.direction, branch.medium,
+                                 wavelength, draw);
     if (branches.absorbed > 0.0) {
         result_.tally.absorbed.add(power * branches.absorbed, context_.unit);
         result_.tally.absorbed_at_face[interface.face.value].add(power * branches.absorbed, context_.unit);
     }
-    push_children(branch, interface, branches, power, optical_path);
+    choose(branches, context_.options, power, rays_[branch.ray].power, branch.depth, draw);
+    push_children(branch, interface, branches, optical_path);
     end(branch, branches.ended, power, interface.t, optical_path, &interface);
 }
 
@@ -151,9 +161,8 @@ double Grove::attenuate(Branch const& branch, double length) {
     double const arrives = branch.power * std::exp(-coefficient * length);
     double const lost = branch.power - arrives;
     result_.tally.absorbed.add(lost, context_.unit);
-    auto const body = body_at(context_.scene, branch.inside);
     auto& in_body = result_.tally.absorbed_in_body;
-    (body ? in_body[body->value] : in_body.back()).add(lost, context_.unit);
+    (branch.body ? in_body[branch.body->value] : in_body.back()).add(lost, context_.unit);
     return arrives;
 }
 
@@ -161,36 +170,33 @@ void Grove::detect(Branch const& branch, Interface const& interface, double powe
     DetectorSpec const& detector = context_.scene.detectors[interface.detector->value];
     dvec3 const from_centre = interface.point - detector.to_world.offset;
     Ray const& ray = rays_[branch.ray];
-    result_.hits.push_back({*interface.detector,
-                            ray.wavelength,
-                            ray.source,
-                            first_ + branch.ray,
-                            {dot(from_centre, detector.to_world.linear[0]), dot(from_centre, detector.to_world.linear[1])},
-                            branch.direction,
-                            power,
-                            optical_path});
+    result_.hits.push_back(
+        {*interface.detector,
+         ray.wavelength,
+         ray.source,
+         first_ + branch.ray,
+         {dot(from_centre, detector.to_world.linear[0]), dot(from_centre, detector.to_world.linear[1])},
+         branch.direction,
+         power,
+         optical_path});
 }
 
-void Grove::push_children(Branch const& branch, Interface const& interface, Branches branches, double power,
+void Grove::push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                           double optical_path) {
-    InlineVector<double, 2> powers;
-    InlineVector<Event, 2> fates;
-    Draw const draw{context_.options.seed, first_ + branch.ray, branch.place};
-    choose(branches, context_.options, power, rays_[branch.ray].power, branch.depth, draw, powers, fates);
-    for (std::size_t i = 0; i < branches.outgoing.size(); ++i) {
-        Outgoing const& outgoing = branches.outgoing[i];
+    for (Outgoing const& outgoing : branches.outgoing) {
         Branch& child = next_generation_.emplace_back();
         child.origin = interface.point;
         child.direction = outgoing.direction;
-        child.power = powers[i];
+        child.power = outgoing.power;
         child.optical_path = optical_path;
         child.place = child_place(branch.place, outgoing.crosses ? 0 : 1);
         child.ray = branch.ray;
         child.parent = static_cast<std::int32_t>(next_index_[branch.ray]);
+        child.body = outgoing.crosses ? interface.body_after : interface.body_before;
         child.medium = outgoing.crosses ? interface.medium_after : branch.medium;
         child.depth = static_cast<std::uint16_t>(branch.depth + 1);
         child.born = outgoing.event;
-        child.fate = fates[i];
+        child.fate = outgoing.fate;
         child.inside = outgoing.crosses ? interface.inside_after : interface.inside_before;
         child.left = interface.left;
     }
@@ -206,6 +212,7 @@ void Grove::pass_on(Branch const& branch, Interface const& interface, double pow
     child.parent = static_cast<std::int32_t>(next_index_[branch.ray]);
     child.depth = static_cast<std::uint16_t>(branch.depth + 1);
     child.born = Event::passed;
+    child.body = interface.body_after;
     child.inside = interface.inside_after;
     child.left = interface.left;
 }
@@ -254,7 +261,8 @@ BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::u
                        {}};
     Grove grove(context, result);
     for (std::uint64_t done = 0; done < count; done += rays_together)
-        grove.grow(first + done, static_cast<std::uint32_t>(std::min<std::uint64_t>(rays_together, count - done)));
+        grove.grow(first + done,
+                   static_cast<std::uint32_t>(std::min<std::uint64_t>(rays_together, count - done)));
     return result;
 }
 

@@ -1,5 +1,5 @@
-// In: a scene and rays. Out: their trees of branches: what became of their power, what reached the detectors, and,
-// if asked, every segment.
+// In: a scene and rays. Out: their trees of branches: what became of their power, what reached the detectors,
+// and, if asked, every segment.
 #pragma once
 
 #include "scene/scene.h"
@@ -19,9 +19,9 @@ struct DetectorHit {
     WavelengthId wavelength;
     SourceId source;
     std::uint64_t ray = 0;
-    dvec2 at{0.0};           // m, from the detector's centre, along its x and y
-    dvec3 direction{0.0};    // world
-    double power = 0.0;      // W
+    dvec2 at{0.0};             // m, from the detector's centre, along its x and y
+    dvec3 direction{0.0};      // world
+    double power = 0.0;        // W
     double optical_path = 0.0; // m
 };
 
@@ -38,7 +38,7 @@ struct BatchResult {
     Tally tally;
     std::vector<DetectorHit> hits; // by ray, then in the order of the tree
     std::vector<LostRay> lost;
-    SegmentBatch log;              // empty unless asked for
+    SegmentBatch log; // empty unless asked for
 };
 
 /// What tracing needs to know, all by reference; nothing is changed.

@@ -13,5 +13,5 @@ run("${CMAKE_COMMAND}" -S "${source}/tests/install" -B "${outside}" -G "${genera
     -D "CMAKE_PREFIX_PATH=${prefix}" -D "CMAKE_BUILD_TYPE=${config}"
     -D "CMAKE_CXX_COMPILER=${compiler}" -D "CMAKE_CXX_FLAGS=${flags}")
 run("${CMAKE_COMMAND}" --build "${outside}" --config "${config}")
-run("${outside}/outside")
+run("${outside}/outside" "${source}/tests/install/ball.toml")
 run("${prefix}/bin/sahl" --help)

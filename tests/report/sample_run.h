@@ -46,6 +46,7 @@ inline Segment segment(std::uint64_t ray, double nm, dvec3 const& origin, dvec3 
                        bool escapes = false) {
     Segment s;
     s.ray = ray;
+    s.parent = 0;
     s.wavelength = nm * 1e-9;
     s.origin = origin;
     s.direction = normalize(towards - origin);
@@ -86,6 +87,7 @@ inline Run run() {
         for (int i = -4; i <= 4; ++i, ++ray) {
             double const y = 0.0008 * i, bend = -0.02 + (nm - 600) * 1.5e-5;
             made.paths.push_back(segment(ray, nm, {-0.06, y, 0.3 * y}, {-0.006, y, 0.3 * y}, 1e-3));
+            made.paths.back().parent = -1;
             made.paths.push_back(
                 segment(ray, nm, {-0.006, y, 0.3 * y}, {0.006, y - 0.001, 0.3 * y}, 0.95e-3));
             made.paths.push_back(segment(ray, nm, {-0.006, y, 0.3 * y}, {-0.03, 0.05 + y, 0}, 0.5e-4, true));

@@ -1,5 +1,5 @@
 // Outlines have the size of what they outline, and frames hold what they are about.
-#include "report/drawing.h"
+#include "report/content.h"
 #include "report/frame.h"
 #include "report/sample_run.h"
 #include "support/catch.h"
@@ -79,6 +79,14 @@ TEST_CASE("a lens shows its vertices and its rim in profile") {
         bounds_of(outline_of(Shape(Lens{0.05, 0.0, 0.006, 0.02}), sample::turned(pi / 2, {0, 0, 0}), xy));
     CHECK(meniscus.size().x == Approx(0.006)); // its axis along x
     CHECK(meniscus.size().y == Approx(0.02));
+}
+
+TEST_CASE("a rectangle on edge is one line, and a lens along its axis has no profile") {
+    Outline const edge = outline_of(Shape(Rectangle{{2, 4}}), sample::turned(0.3, {0, 0, 0}), zx);
+    CHECK(edge.area.empty());
+    REQUIRE(edge.lines.size() == 1);
+    CHECK(length(edge.lines[0][1] - edge.lines[0][0]) == Approx(2));
+    CHECK(outline_of(Shape(Lens{0.05, -0.05, 0.006, 0.02}), Affine{}, xy).area.size() == 2); // its rims
 }
 
 TEST_CASE("a plane is drawn where it is seen on edge, and only there") {
@@ -161,6 +169,22 @@ TEST_CASE("a ray that escapes is drawn to the border") {
     CHECK_FALSE(clipped(frame, {0, 100}, {1, 0}, INFINITY));
     CHECK_FALSE(clipped(frame, {0, 0}, {0, 0}, INFINITY)); // along the line of sight
     CHECK_FALSE(clipped(frame, {NAN, 0}, {1, 0}, 1.0));
+}
+
+TEST_CASE("a segment that ends far away does not make the drawing a dot") {
+    sample::Run run = sample::run();
+    auto const extent = [&] {
+        return content_of(run.scene, run.scene.bodies.size(), sample_of(run.paths, 1000)).size.x;
+    };
+    double const before = extent();
+    run.paths.push_back(sample::segment(36, 500, {0, 0, 0}, {1e3, 0, 0}, 1e-9));
+    CHECK(extent() == before);
+    run.paths.push_back(
+        sample::segment(37, 500, {0.15, 0, 0}, {0.2, 0, 0}, 1e-9)); // but it holds what is near
+    CHECK(extent() > before + 0.1);
+    run.paths.push_back(sample::segment(38, 500, {-50, 0, 0}, {0, 0, 0}, 1e-9)); // and where rays start
+    run.paths.back().parent = -1;
+    CHECK(extent() > 50);
 }
 
 TEST_CASE("too many segments are thinned by whole rays") {

@@ -119,6 +119,13 @@ TEST_CASE("numbers read as a person writes them") {
     CHECK(per_cent(0.5) == "50 %");
 }
 
+TEST_CASE("rounding in a list is shown as 0, in a number of its own as it is") {
+    Value const list = parse_json("[1.5, -2e-24, 0.0]", "list"), number = parse_json("-2e-24", "number");
+    CHECK(shown(&list) == "(1.5, 0, 0)");
+    CHECK(shown(&number) == "−2×10<sup>−24</sup>");
+    CHECK(shown(nullptr) == "–");
+}
+
 TEST_CASE("text is cut between characters, and paths cannot become addresses") {
     CHECK(shortened("größer", 6) == "größer");
     CHECK(shortened("größer", 5) == "größ…");

@@ -19,8 +19,12 @@ namespace {
 
 constexpr double float_ulp = 0x1p-24; // half a unit in the last place of 1.0f: one rounding's relative error
 
-float below(double x) { return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity()); }
-float above(double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity()); }
+float below(double x) {
+    return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+}
+float above(double x) {
+    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
 
 struct Query {
 #if RTC_VERSION_MAJOR >= 4
@@ -30,10 +34,10 @@ struct Query {
 #endif
     double (*callback)(void*, std::uint32_t, double);
     void* context;
-    double to;           // t of the caller's line
-    double start;        // t at which the float ray starts
-    double unit;         // length of the caller's direction
-    double slack;        // m: what rounding to float may move a box's border along the ray
+    double to;    // t of the caller's line
+    double start; // t at which the float ray starts
+    double unit;  // length of the caller's direction
+    double slack; // m: what rounding to float may move a box's border along the ray
 };
 
 /// An Embree device of its own for every tree would cost threads; one serves all.
@@ -102,9 +106,11 @@ BoxTree::BoxTree(std::span<Bounds const> boxes) : state_(std::make_unique<State>
     for (Bounds const& box : boxes)
         state.all = {glm::min(state.all.low, box.low), glm::max(state.all.high, box.high)};
     state.centre = 0.5 * (state.all.low + state.all.high);
-    // The float line starts at the box of all and ends behind it: its start and its direction, each rounded once per
-    // coordinate, move it by at most 2 · 2⁻²⁴ of the diagonal; a factor of 8 covers Embree's own arithmetic.
-    state.growth = 8.0 * float_ulp * length(state.all.high - state.all.low) + std::numeric_limits<float>::min();
+    // The float line starts at the box of all and ends behind it: its start and its direction, each rounded
+    // once per coordinate, move it by at most 2 · 2⁻²⁴ of the diagonal; a factor of 8 covers Embree's own
+    // arithmetic.
+    state.growth =
+        8.0 * float_ulp * length(state.all.high - state.all.low) + std::numeric_limits<float>::min();
     RTCDevice const device = shared_device();
     RTCGeometry const geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));

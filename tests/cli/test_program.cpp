@@ -1,0 +1,159 @@
+// The program as a user meets it: commands, exit statuses, and what is left behind.
+#include "support/catch.h"
+
+#include "scene/value.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace sahl;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Shell {
+    fs::path folder = fs::temp_directory_path() / ("sahl-test-program-" + std::to_string(::getpid()));
+    Shell() { fs::create_directories(folder); }
+    ~Shell() { fs::remove_all(folder); }
+
+    /// Exit status; what it said is in out and err.
+    int run(std::string const& arguments, std::string const& program = SAHL_PROGRAM) {
+        std::string const command =
+            "cd " + folder.string() + " && '" + program + "' " + arguments + " >out.txt 2>err.txt";
+        int const status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string text(char const* name) const {
+        std::ifstream in(folder / name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    void write(char const* name, std::string const& content) const {
+        std::ofstream(folder / name) << content;
+    }
+};
+
+std::string const ball = R"(
+[[object]]
+name = "ball"
+shape = {sphere = {radius_mm = 5}}
+medium = "N-BK7"
+[[source]]
+name = "beam"
+beam = {from_mm = [0, 0, -10], toward = [0, 0, 1], radius_mm = 4, rays = 50}
+[[detector]]
+name = "screen"
+at_mm = [0, 0, 8]
+facing = [0, 0, -1]
+size_mm = [4, 4]
+pixels = [16, 16]
+)";
+
+} // namespace
+
+TEST_CASE("trace writes a run, explain and export read its log") {
+    Shell shell;
+    shell.write("ball.toml", ball);
+    CHECK(shell.run("trace ball.toml --set trace.log=true") == 0);
+    for (char const* file : {"summary.json", "rays.h5", "report.html", "detectors/screen.exr",
+                             "detectors/screen.csv", "detectors/screen.png"})
+        CHECK(fs::file_size(shell.folder / "out/ball" / file) > 0);
+    CHECK(shell.run("explain out/ball --ray 3") == 0);
+    CHECK(shell.text("out.txt").find("detected by screen") != std::string::npos);
+    CHECK(shell.run("explain out/ball/rays.h5 --ray 100000") == 3);
+    CHECK(shell.text("err.txt").find("its last is ray") != std::string::npos);
+    CHECK(shell.run("export out/ball --to paths.csv") == 0);
+    CHECK(shell.text("paths.csv").rfind("ray,segment,parent,depth,born,ended,surface", 0) == 0);
+    CHECK(shell.run("export out/ball --to paths.xyz") == 3);
+}
+
+TEST_CASE("the summary goes to standard output as JSON, and nothing else does") {
+    Shell shell;
+    shell.write("ball.toml", ball);
+    CHECK(shell.run("trace ball.toml --json --quiet --threads 2 --seed 7") == 0);
+    Value const summary = parse_json(shell.text("out.txt"), "out.txt");
+    CHECK(std::get<std::int64_t>(summary.find("seed")->data) == 7);
+    CHECK(std::get<std::int64_t>(summary.find("threads")->data) == 2);
+    CHECK(shell.text("err.txt").empty());
+}
+
+TEST_CASE(
+    "wrong usage is status 2, bad input 3 with place, problem and remedy, and then nothing is written") {
+    Shell shell;
+    shell.write("ball.toml", ball);
+    CHECK(shell.run("trace") == 2);
+    CHECK(shell.run("fly ball.toml") == 2);
+    CHECK(shell.run("trace ball.toml --fast") == 2);
+    CHECK(shell.run("trace balls.toml") == 3);
+    shell.write("wrong.toml", ball + "[trace]\nmin_powr = 1\n");
+    CHECK(shell.run("trace wrong.toml") == 3);
+    CHECK(shell.text("err.txt").find("wrong.toml:16:1: unknown key 'min_powr'") != std::string::npos);
+    CHECK(shell.text("err.txt").find("did you mean 'min_power'?") != std::string::npos);
+    CHECK(!fs::exists(shell.folder / "out"));
+}
+
+TEST_CASE("a broken law is status 4, with the results written and marked") {
+    Shell shell;
+    shell.write("ball.toml", ball);
+    CHECK(shell.run("trace ball.toml", SAHL_TAMPERED) == 4); // built with 0.999 of every transmittance
+    CHECK(shell.text("err.txt").find("the ledger does not close") != std::string::npos);
+    Value const summary = parse_json(shell.text("out/ball/summary.json"), "summary.json");
+    CHECK(!std::get<bool>(summary.find("passed")->data));
+    CHECK(std::get<Array>(summary.find("failures")->data).size() == 1);
+    CHECK(std::get<double>(summary.find("energy_W")->find("remainder")->data) > 1e-4);
+}
+
+TEST_CASE("leaks above the limit are status 4, and the lost rays are named") {
+    Shell shell;
+    // a mesh with a hole: a tetrahedron without its base
+    shell.write(
+        "open.gltf",
+        R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+"materials": [{"name": "glass", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_volume": {"thicknessFactor": 1}}}],
+"extensionsUsed": ["KHR_materials_transmission", "KHR_materials_volume"],
+"buffers": [{"byteLength": 66, "uri": "data:application/octet-stream;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAABAAMAAQACAAMAAgAAAAMA"}],
+"bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 18}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 1]},
+{"bufferView": 1, "componentType": 5123, "count": 9, "type": "SCALAR"}]})");
+    shell.write("leak.toml", R"(
+[[object]]
+name = "tent"
+model = "open.gltf"
+[[source]]
+name = "beam"
+beam = {from_mm = [0, 0, 3000], toward = [0, 0, -1], radius_mm = 100, rays = 50}
+)");
+    CHECK(shell.run("trace leak.toml") == 4);
+    Value const summary = parse_json(shell.text("out/leak/summary.json"), "summary.json");
+    CHECK(!std::get<bool>(summary.find("passed")->data));
+    CHECK(!std::get<Array>(summary.find("lost_rays")->data).empty());
+    CHECK(shell.run("trace leak.toml --set limits.leak=1") == 0);
+}
+
+TEST_CASE("a sweep writes a row for each value and a folder for each run") {
+    Shell shell;
+    shell.write("ball.toml",
+                ball + "[sweep]\n\"detector.screen.at_mm[2]\" = {from = 6, to = 9, steps = 4}\n");
+    CHECK(shell.run("trace ball.toml") == 0);
+    std::string const csv = shell.text("out/ball/sweep.csv");
+    CHECK(csv.rfind("detector.screen.at_mm[2],", 0) == 0);
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
+    for (char const* run : {"000", "001", "002", "003"})
+        CHECK(fs::exists(shell.folder / "out/ball/runs" / run / "summary.json"));
+}
+
+TEST_CASE("check says what is in an experiment and in a model") {
+    Shell shell;
+    shell.write("ball.toml", ball);
+    CHECK(shell.run("check ball.toml") == 0);
+    CHECK(shell.text("out.txt").find("ball: body of N-BK7") != std::string::npos);
+    CHECK(shell.run("check ball.toml --set detector.screen.facing=[0,0,1] --json") == 0);
+    Value const report = parse_json(shell.text("out.txt"), "out.txt");
+    std::string const warning = to_json(*report.find("warnings"));
+    CHECK(warning.find("only from behind") != std::string::npos);
+    CHECK(shell.run("check '" SAHL_SOURCE_DIR "/models/ball-320.glb'") == 0);
+    CHECK(shell.text("out.txt").find("closed: true") != std::string::npos);
+}

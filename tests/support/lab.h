@@ -1,0 +1,89 @@
+// In: media, surfaces, shapes and rays, put together in a few lines. Out: the experiment that they make, traced.
+#pragma once
+
+#include "scene/scene.h"
+#include "trace/tracer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sahl::bench {
+
+struct Lab {
+    Experiment experiment;
+
+    explicit Lab(double n_surroundings = 1.0) { experiment.surroundings = medium(n_surroundings); }
+
+    /// absorption   1/m
+    MediumId medium(double n, double absorption = 0.0) {
+        Medium made{"medium " + std::to_string(experiment.media.size()), ConstantIndex{n}, {}, {}};
+        if (absorption > 0.0)
+            made.absorption = {{500e-9, absorption}};
+        experiment.media.push_back(made);
+        return {static_cast<std::uint32_t>(experiment.media.size() - 1)};
+    }
+    template <class Kind>
+    SurfaceId surface(Kind kind) {
+        experiment.surfaces.push_back({"surface " + std::to_string(experiment.surfaces.size()), kind});
+        return {static_cast<std::uint32_t>(experiment.surfaces.size() - 1)};
+    }
+    ObjectSpec& body(std::string name, Shape const& shape, MediumId of, Affine const& place = {}, int priority = 0) {
+        return experiment.objects.emplace_back(ObjectSpec{std::move(name), shape, place, of, {}, {}, priority, {}});
+    }
+    ObjectSpec& sheet(std::string name, Shape const& shape, SurfaceId of, Affine const& place = {}) {
+        return experiment.objects.emplace_back(ObjectSpec{std::move(name), shape, place, {}, of, {}, 0, {}});
+    }
+    DetectorSpec& detector(std::string name, Affine const& place, dvec2 size, bool absorbs = true) {
+        return experiment.detectors.emplace_back(DetectorSpec{std::move(name), place, size, 1, 1, absorbs, false, {}});
+    }
+    /// A source of rays of a watt together, at 587.6 nm unless said otherwise.
+    SourceSpec& rays(std::vector<RaySpec> rays) {
+        return source(ExplicitRays{std::move(rays)});
+    }
+    template <class Emitter>
+    SourceSpec& source(Emitter emitter) {
+        return experiment.sources.emplace_back(SourceSpec{"source " + std::to_string(experiment.sources.size()),
+                                                          std::move(emitter), {{587.6e-9, 1.0}}, 1.0, false, {}});
+    }
+};
+
+inline Affine moved(dvec3 const& offset) { return {dmat3(1.0), offset}; }
+
+/// Of a sheet or a detector at `at` whose +z looks along `facing`.
+inline Affine facing(dvec3 const& at, dvec3 const& facing_, dvec3 const& up = dvec3(0.0)) {
+    dvec3 const z = normalize(facing_), y = perpendicular_to(z, up);
+    return {dmat3(cross(y, z), y, z), at};
+}
+
+/// A scene with what traced it; every ray in one batch.
+struct Traced {
+    Scene scene;
+    WavelengthTable optics;
+    Emission emission;
+    BatchResult result;
+
+    std::vector<Segment> const& segments() const { return result.log.segments; }
+    std::uint64_t ended(Event event) const { return result.tally.ended[static_cast<std::size_t>(event)]; }
+    double watts(ExactSum const& sum) const { return sum.value(result.tally.unit); }
+    FaceId face(std::string_view name) const {
+        for (std::uint32_t i = 0; i < scene.faces.size(); ++i)
+            if (scene.faces[i].name == name)
+                return {i};
+        return {0xFFFFFFFFu};
+    }
+};
+
+inline Traced trace(Scene scene, TraceOptions const& options, std::uint64_t log_every = 1) {
+    WavelengthTable optics(scene);
+    Emission emission(scene.sources, optics, options.seed);
+    SumUnit const unit = SumUnit::for_total(emission.power());
+    BatchResult result = trace_batch({scene, optics, emission, options, unit, log_every}, 0, emission.rays());
+    return {std::move(scene), std::move(optics), std::move(emission), std::move(result)};
+}
+
+inline Traced trace(Lab const& lab, std::uint64_t log_every = 1) {
+    return trace(build_scene(lab.experiment), lab.experiment.trace, log_every);
+}
+
+} // namespace sahl::bench
