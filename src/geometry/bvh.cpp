@@ -18,6 +18,8 @@ struct Bvh::State {
     std::vector<std::pair<FaceId, FaceId>> contacts;
     std::vector<std::vector<FaceId>> partners; // by FaceId
 
+    NextHit next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
+                         double from) const;
     bool touch(FaceId one, FaceId other) const {
         auto const& with = partners[one.value];
         return std::find(with.begin(), with.end(), other) != with.end();
@@ -106,16 +108,37 @@ Bvh::Bvh(Bvh&&) noexcept = default;
 Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 Bvh::~Bvh() = default;
 
+/// A lone object is met directly: nothing lies before it, and nothing touches it.
+NextHit Bvh::State::next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
+                                 double from) const {
+    NextHit hit;
+    Candidate found;
+    double const contradiction = objects.front().next(origin, direction, inside, {from, INFINITY}, found);
+    if (found.t == INFINITY || contradiction < found.t) {
+        hit.proof = contradiction < INFINITY || !inside.empty() ? Proof::leak : Proof::clean;
+        hit.t = contradiction;
+        return hit;
+    }
+    hit.at_one_place.push_back(objects.front().finished(found, origin, direction));
+    hit.t = std::max(found.t, from);
+    hit.blur = found.blur;
+    return hit;
+}
+
 NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
                   double from) const {
     State const& state = *state_;
+    if (state.objects.size() == 1 && left.empty())
+        return state.next_of_lone(origin, direction, inside, from);
     InlineVector<Candidate, 16> candidates;
     double contradiction = INFINITY;
     double horizon = INFINITY; // nothing beyond it can be at the nearest place
 
     auto const ask = [&](std::uint32_t index) {
         Placed const& object = state.objects[index];
-        if (std::find(left.begin(), left.end(), index) != left.end())
+        if (std::any_of(left.begin(), left.end(), [&](LeftSheet const& sheet) {
+                return sheet.object == index && object.heads_above(direction) == bool(sheet.above);
+            }))
             return;
         Candidate found;
         contradiction =
@@ -181,15 +204,27 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         return FaceId{state.objects[c.object].geometry.first_face.value + c.face};
     };
     InlineVector<Candidate, 8> together;
-    for (Candidate const& c : candidates)
-        if (c.object == nearest.object || (c.t <= nearest.t + nearest.blur + c.blur &&
-                                           state.touch(face_of(c), face_of(nearest)) && !together.full()))
+    for (Candidate const& c : candidates) {
+        if (c.object != nearest.object && c.t > nearest.t + nearest.blur + c.blur)
+            continue;
+        if (c.object == nearest.object || (state.touch(face_of(c), face_of(nearest)) && !together.full()))
             together.insert_sorted(c, [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
+        else if (c.open && !hit.beside.full())
+            hit.beside.push_back({c.object, c.enters});
+    }
     for (Candidate const& c : together)
         hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction));
     hit.t = std::max(nearest.t, from);
     hit.blur = nearest.blur;
     return hit;
+}
+
+LeftSheets Bvh::still_there(LeftSheets const& left, dvec3 const& point) const {
+    LeftSheets there;
+    for (LeftSheet const& sheet : left)
+        if (state_->objects[sheet.object].lies_at(point))
+            there.push_back(sheet);
+    return there;
 }
 
 Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {

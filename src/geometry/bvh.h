@@ -47,17 +47,24 @@ enum class Proof : std::uint8_t {
            // inside
 };
 
+/// An open geometry that lies where a ray starts, and the side of it that the ray is on: going away from it,
+/// the ray does not meet it, whatever rounding says.
+struct LeftSheet {
+    std::uint32_t object : 31;
+    std::uint32_t above : 1; // on the side of its +z
+};
+using LeftSheets = InlineVector<LeftSheet, 7>;
+
 /// Crossings that coincide, in the order in which they count: detectors, other open surfaces, bodies. Empty:
 /// nothing is met. After a leak `t` tells where the contradiction shows.
 struct NextHit {
     InlineVector<Crossing, 8> at_one_place;
+    LeftSheets
+        beside; // sheets that are met within rounding of the place without coinciding, before they are met
     double t = 0.0;
     double blur = 0.0; // how far rounding may shift t
     Proof proof = Proof::clean;
 };
-
-/// Open geometries that a ray has met at the place it starts from: they are not met again from there.
-using LeftSheets = InlineVector<std::uint32_t, 7>;
 
 class Bvh {
   public:
@@ -71,6 +78,9 @@ class Bvh {
     ///   inside      the shells that the ray is in
     NextHit next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
                  double from = 0.0) const;
+
+    /// Of the sheets that a ray has left, those that still lie where it is now.
+    LeftSheets still_there(LeftSheets const& left, dvec3 const& point) const;
 
     /// The shells that a ray starting there is in: an exact count of crossings. A start on a boundary belongs
     /// to the side that the ray heads for. `fits` is false where there are more than a ShellSet can hold.

@@ -1,5 +1,7 @@
 #include "geometry/mesh_tree.h"
 
+#include "math/products.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -23,13 +25,12 @@ std::vector<Bounds> triangle_bounds(Mesh const& mesh) {
 /// rad and lies within the rounding of the start along its normal.
 constexpr double far_behind = 1e6;
 
-/// Crossings of one shell at one place, and on which side of the shell the line runs before and after it.
+/// Crossings of one shell at one place, and how often the shell goes round the line before and after it.
 struct Station {
     double t = 0.0, slope = 0.0;
-    MeshCrossing const* into = nullptr;
+    MeshCrossing const* into = nullptr; // the steepest
     MeshCrossing const* out = nullptr;
-    bool inside_before = false, inside_after = false;
-    bool touches() const { return into && out; }
+    int turns_before = 0, turns_after = 0;
 };
 
 /// `first`…`last` are the crossings of one shell in the order of t.
@@ -44,22 +45,31 @@ std::vector<Station> stations_of(Iterator first, Iterator last, double rounding)
             stations.push_back({c->t, c->slope});
         Station& here = stations.back();
         MeshCrossing const*& sense = c->enters ? here.into : here.out;
-        if (!sense)
+        if (!sense || c->slope > sense->slope)
             sense = &*c;
-        here.slope = std::max(here.slope, c->slope);
+        if (c->slope > here.slope) { // the steepest tells best where the place is
+            here.t = c->t;
+            here.slope = c->slope;
+        }
+        here.turns_after += c->enters ? 1 : -1;
     }
-    // Far along the line is outside. A place that is crossed one way tells the side before it; where a line
-    // touches an edge, the place before that tells.
-    bool after = false;
+    // far along the line is outside; each crossing counts, since the watertight test gives none twice
+    int turns = 0;
     for (std::size_t k = stations.size(); k-- > 0;) {
-        stations[k].inside_after = after;
-        bool const told_by_previous = stations[k].touches() && k > 0 && !stations[k - 1].touches();
-        stations[k].inside_before = !stations[k].touches() ? stations[k].out != nullptr
-                                    : told_by_previous     ? stations[k - 1].into != nullptr
-                                                           : after;
-        after = stations[k].inside_before;
+        Station& here = stations[k];
+        here.turns_before = turns - here.turns_after;
+        here.turns_after = turns;
+        turns = here.turns_before;
     }
     return stations;
+}
+
+/// Is `c × b` positive for a line moved from (0, 0) by a little in x, and by much less in y? So a line
+/// through an edge passes on one side of it, the same for both its triangles, and a line through a vertex
+/// through one of them (H. Edelsbrunner, E. P. Mücke, Simulation of Simplicity, ACM Trans. Graph. 9 (1990)
+/// 66).
+bool is_positive(double product, double bx, double by, double cx, double cy) {
+    return product != 0.0 ? product > 0.0 : cy != by ? cy > by : bx > cx;
 }
 
 } // namespace
@@ -92,7 +102,7 @@ dvec3 MeshTree::normal(std::uint32_t triangle) const {
     auto const& [a, b, c] = mesh_->soup.triangles[triangle];
     auto const& p = mesh_->soup.positions;
     double const sign = mesh_->shells[mesh_->triangle_shell[triangle]].sign;
-    return sign * normalize(cross(p[b] - p[a], p[c] - p[a]));
+    return sign * normalize(precise_cross(p[b] - p[a], p[c] - p[a]));
 }
 
 std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t triangle) const {
@@ -104,18 +114,23 @@ std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t trian
     double const bx = b[line.kx] - line.shear_x * b[line.kz], by = b[line.ky] - line.shear_y * b[line.kz];
     double const cx = c[line.kx] - line.shear_x * c[line.kz], cy = c[line.ky] - line.shear_y * c[line.kz];
     double const u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
-    if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0))
+    bool const positive = is_positive(u, bx, by, cx, cy);
+    if (is_positive(v, cx, cy, ax, ay) != positive || is_positive(w, ax, ay, bx, by) != positive)
         return std::nullopt;
     double const sum = u + v + w;
-    if (sum == 0.0) // the line runs in the triangle's plane: its neighbours, which share its edges, are met
-        return std::nullopt;
     MeshCrossing crossing;
-    crossing.t = line.shear_z * (u * a[line.kz] + v * b[line.kz] + w * c[line.kz]) / sum;
-    crossing.uv = {v / sum, w / sum};
+    crossing.uv = sum != 0.0 ? dvec2(v, w) / sum : dvec2(0.0);
     crossing.triangle = triangle;
-    dvec3 const normal = cross(b - a, c - a);
-    crossing.slope = std::abs(dot(normal, line.direction)) / length(normal);
-    crossing.enters = (sum > 0.0) == (mesh_->shells[mesh_->triangle_shell[triangle]].sign > 0);
+    // t from the plane, whose normal has its digits in needles too; within the corners' range, where the line
+    // runs along the plane
+    dvec3 const& corner = p[corners[0]];
+    dvec3 const normal = precise_cross(p[corners[1]] - corner, p[corners[2]] - corner);
+    double const along = dot(normal, line.direction);
+    auto const [low, high] =
+        std::minmax({line.shear_z * a[line.kz], line.shear_z * b[line.kz], line.shear_z * c[line.kz]});
+    crossing.t = along != 0.0 ? std::clamp(dot(normal, a) / along, low, high) : low;
+    crossing.slope = std::abs(along) / length(normal);
+    crossing.enters = positive == (mesh_->shells[mesh_->triangle_shell[triangle]].sign > 0);
     return crossing;
 }
 
@@ -152,7 +167,7 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
         if (distance < -rounding)
             return to;
         if (distance <= rounding) { // at the start
-            doubtful = doubtful || fits;
+            doubtful = doubtful || fits || (c->t - reach.from) * length(direction) > far_behind * rounding;
             return to;
         }
         if (!fits) {
@@ -186,12 +201,13 @@ MeshAnswer MeshTree::settle(std::vector<MeshCrossing> crossings, InsideShells in
         bool found = false;
         for (Station const& station : stations_of(first, last, rounding)) {
             bool const at_start = (station.t - reach.from) * station.slope <= rounding;
-            if (!at_start && station.inside_before != state) { // it should have been crossed before: a hole
+            bool const fits = (station.turns_before > 0) == state && station.turns_before >= 0;
+            if (!at_start && !fits) { // it should have been crossed before: a hole
                 answer.contradiction = std::min(answer.contradiction, station.t);
                 found = true;
                 break;
             }
-            if (station.inside_after == state)
+            if ((station.turns_after > 0) == state)
                 continue;
             if (MeshCrossing const* const crossing = state ? station.out : station.into) {
                 found = true;
@@ -216,7 +232,7 @@ std::vector<bool> MeshTree::inside(dvec3 const& origin, dvec3 const& direction, 
                                        [&](auto const& c) { return shell_of(c) != shell_of(*first); });
         Station const station = stations_of(first, last, rounding).front();
         states[shell_of(*first)] =
-            station.t * station.slope <= rounding ? station.inside_after : station.inside_before;
+            (station.t * station.slope <= rounding ? station.turns_after : station.turns_before) > 0;
         first = last;
     }
     return states;

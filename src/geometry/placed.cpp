@@ -140,7 +140,7 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
                            return;
                        into.fits = into.fits && !into.on.full();
                        if (!into.on.full())
-                           into.on.push_back(index);
+                           into.on.push_back({index, ray.direction.z > 0.0});
                    },
                    [&](Solid const& solid) {
                        if (solid.inside(ray.origin, ray.direction, 0.0, ray.rounding))
@@ -154,6 +154,11 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
                    },
                },
                met_by);
+}
+
+bool Placed::lies_at(dvec3 const& point) const {
+    LocalRay const ray = local(point, dvec3(0.0));
+    return std::abs(ray.origin.z) <= ray.rounding;
 }
 
 Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction) const {

@@ -47,6 +47,10 @@ struct Placed {
     /// Appends what a ray starting here is in or on.
     void start(dvec3 const& origin, dvec3 const& direction, std::uint32_t index, Bvh::Start& into) const;
 
+    /// Of a sheet: is the place on its plane? Does a direction lead to the side of its +z?
+    bool lies_at(dvec3 const& point) const;
+    bool heads_above(dvec3 const& direction) const { return to_local.vector(direction).z > 0.0; }
+
     /// The crossing with its point and normals in the world.
     Crossing finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction) const;
 

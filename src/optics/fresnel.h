@@ -2,6 +2,8 @@
 // and p. Source: M. Born, E. Wolf, Principles of Optics, 7th ed., 1.5.2 (dielectrics), 14.2 (metals).
 #pragma once
 
+#include "math/products.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -22,14 +24,6 @@ struct Incidence {
     double cosine; // [0, 1]
     double sine;   // [0, 1]
 };
-
-/// a·b − c·d to 1.5 ulp, however much cancels (C.-P. Jeannerod, N. Louvet, J.-M. Muller, Math. Comp. 82
-/// (2013) 2245).
-inline double difference_of_products(double a, double b, double c, double d) {
-    double const cd = c * d;
-    double const error = std::fma(-c, d, cd);
-    return std::fma(a, b, -cd) + error;
-}
 
 /// (n_transmitted cos t)² = n_t² − n_i² sin² i, formed without cancellation; ≤ 0 is total internal
 /// reflection.

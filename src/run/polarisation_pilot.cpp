@@ -60,6 +60,8 @@ std::vector<double> polarisation_shift(Scene const& scene, WavelengthTable const
                                        Emission const& emission, TraceOptions const& options) {
     TraceOptions split = options;
     split.branch = BranchPolicy::split;
+    // roulette may go down to branches that are too many to split; below the tolerance they move little
+    split.min_power = std::max(options.min_power, 0.1 * options.tolerance_power);
     TraceContext const context{scene, optics, emission, split, power_unit(emission), 1};
     std::vector<double> mean(scene.detectors.size()), apart(scene.detectors.size());
     std::uint64_t const rays = std::min(pilot_rays, emission.rays());

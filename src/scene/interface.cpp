@@ -23,6 +23,36 @@ void take_place(Interface& found, NextHit const& hit, Crossing const& crossing, 
     found.against_facing = crossing.enters;
 }
 
+/// Sheets at this place, those that are met now last. False where they are too many to remember.
+bool remember_sheets(Scene const& scene, NextHit const& hit, LeftSheets const& left, Interface& found) {
+    Crossing const& first = hit.at_one_place.front();
+    auto const met = [&](Crossing const& c) { return c.open && (!first.detector || &c == &first); };
+    auto const is_new = [&](LeftSheet const& sheet) {
+        auto const same = [&](auto const& other) { return other.object == sheet.object; };
+        return std::any_of(hit.beside.begin(), hit.beside.end(), same) ||
+               std::any_of(hit.at_one_place.begin(), hit.at_one_place.end(),
+                           [&](Crossing const& c) { return met(c) && same(c); });
+    };
+    bool fits = true;
+    auto const add = [&](LeftSheet const& sheet) {
+        fits = fits && !found.left.full();
+        if (fits)
+            found.left.push_back(sheet);
+    };
+    found.left.clear();
+    if (!left.empty())
+        for (LeftSheet const& sheet : scene.bvh->still_there(left, first.point))
+            if (!is_new(sheet))
+                add(sheet);
+    for (LeftSheet const& sheet : hit.beside)
+        add(sheet);
+    found.newly = found.left.size();
+    for (Crossing const& c : hit.at_one_place)
+        if (met(c))
+            add({c.object, c.enters});
+    return fits;
+}
+
 /// Of the bodies whose surfaces coincide here, the face whose surface counts: that of the body of higher
 /// priority, else of the only one that has a surface.
 Crossing const& deciding(Scene const& scene, NextHit const& hit) {
@@ -58,6 +88,13 @@ std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside) {
     return best;
 }
 
+LeftSheets Interface::left_by(bool crosses) const {
+    LeftSheets sheets = left;
+    for (std::size_t i = newly; crosses && i < sheets.size(); ++i)
+        sheets[i].above = !sheets[i].above;
+    return sheets;
+}
+
 Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction,
                        ShellSet const& inside, std::optional<ObjectId> body, LeftSheets const& left,
                        Interface& found) {
@@ -70,22 +107,13 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
             return Meeting::leak;
         if (hit.at_one_place.empty())
             return Meeting::nothing;
-        bool const still_there = hit.t <= hit.blur;
-        found.left.clear();
-        if (still_there)
-            found.left = left;
-        for (Crossing const& c : hit.at_one_place)
-            if (c.open && !found.left.full())
-                found.left.push_back(c.object);
-
+        Crossing const& first = hit.at_one_place.front();
+        if (!remember_sheets(scene, hit, left, found))
+            return Meeting::too_deep;
         found.inside_before = found.inside_after;
         found.body_before = body;
-        Crossing const& first = hit.at_one_place.front();
         if (first.detector) { // nothing is crossed yet: bodies and mirrors at the same place are met next
             take_place(found, hit, first, direction);
-            found.left = still_there ? left : LeftSheets{};
-            if (!found.left.full())
-                found.left.push_back(first.object);
             found.detector = scene.bodies[first.object].detector;
             found.surface.reset();
             found.body_after = body;

@@ -18,7 +18,13 @@ struct Interface {
     std::optional<ObjectId> body_before, body_after;
     MediumId medium_after;
     ShellSet inside_before, inside_after; // on either side of it
-    LeftSheets left;                      // open surfaces at this place: not to be met again from here
+    // open surfaces at this place, and the side that the ray comes from; from `newly` on those that it meets
+    // now
+    LeftSheets left;
+    std::size_t newly = 0;
+
+    /// Open surfaces not to be met again by a ray that goes on from here, to the other side or not.
+    LeftSheets left_by(bool crosses) const;
 };
 
 enum class Meeting : std::uint8_t { interface, nothing, leak, too_deep };

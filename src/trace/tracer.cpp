@@ -12,7 +12,7 @@ namespace {
 
 /// Rays whose trees grow together, generation by generation; few enough that their branches stay in the
 /// cache.
-constexpr std::uint32_t rays_together = 128;
+constexpr std::uint32_t rays_together = 32;
 
 bool finite(dvec3 const& v) {
     return std::isfinite(v.x + v.y + v.z);
@@ -198,7 +198,7 @@ void Grove::push_children(Branch const& branch, Interface const& interface, Bran
         child.born = outgoing.event;
         child.fate = outgoing.fate;
         child.inside = outgoing.crosses ? interface.inside_after : interface.inside_before;
-        child.left = interface.left;
+        child.left = interface.left_by(outgoing.crosses);
     }
 }
 
@@ -214,7 +214,7 @@ void Grove::pass_on(Branch const& branch, Interface const& interface, double pow
     child.born = Event::passed;
     child.body = interface.body_after;
     child.inside = interface.inside_after;
-    child.left = interface.left;
+    child.left = interface.left_by(true);
 }
 
 void Grove::lose(Branch const& branch, Event event, double power, double t) {

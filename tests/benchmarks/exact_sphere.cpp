@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
         "[trace]\nmin_power = 1e-4\n[[object]]\nname = \"ball\"\nshape = {sphere = {radius_mm = 5}}\n"
         "medium = \"glass\"\n[medium]\nglass = {n = 1.5}\n[[source]]\nname = \"beam\"\nbeam = {from_mm = [0, "
         "0, "
-        "-10], toward = [0, 0, 1], radius_mm = 4.999, pattern = \"sobol\", rays = " +
+        "-10], toward = [0, 0, 1], radius_mm = 4.999, pattern = \"hexagonal\", rays = " +
         std::to_string(rays) + "}\n";
     sahl::Experiment const experiment =
         sahl::read_experiment(sahl::parse_toml(text, "benchmark.toml"), "benchmark.toml");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <unistd.h>
 
 using namespace sahl;
 
@@ -34,7 +35,8 @@ std::string without_times(std::string const& text) {
 }
 
 void check_same_bytes(std::filesystem::path const& file, std::vector<std::string> const& set) {
-    std::filesystem::path const out = std::filesystem::temp_directory_path() / "sahl-test-determinism";
+    std::filesystem::path const out =
+        std::filesystem::temp_directory_path() / ("sahl-test-determinism-" + std::to_string(::getpid()));
     std::string log, summary;
     for (unsigned const threads : {1u, 2u, 7u}) {
         CAPTURE(threads);

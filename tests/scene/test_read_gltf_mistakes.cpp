@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <unistd.h>
 
 using namespace sahl;
 
@@ -16,8 +17,7 @@ namespace fs = std::filesystem;
 
 /// A folder that is gone when the test is.
 struct Folder {
-    fs::path path =
-        fs::temp_directory_path() / ("sahl_gltf_" + std::to_string(std::hash<std::string>()(__FILE__)));
+    fs::path path = fs::temp_directory_path() / ("sahl_gltf_" + std::to_string(::getpid()));
 
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }

@@ -1,4 +1,5 @@
-// In: media, surfaces, shapes and rays, put together in a few lines. Out: the experiment that they make, traced.
+// In: media, surfaces, shapes and rays, put together in a few lines. Out: the experiment that they make,
+// traced.
 #pragma once
 
 #include "scene/scene.h"
@@ -28,27 +29,35 @@ struct Lab {
         experiment.surfaces.push_back({"surface " + std::to_string(experiment.surfaces.size()), kind});
         return {static_cast<std::uint32_t>(experiment.surfaces.size() - 1)};
     }
-    ObjectSpec& body(std::string name, Shape const& shape, MediumId of, Affine const& place = {}, int priority = 0) {
-        return experiment.objects.emplace_back(ObjectSpec{std::move(name), shape, place, of, {}, {}, priority, {}});
+    ObjectSpec& body(std::string name, Shape const& shape, MediumId of, Affine const& place = {},
+                     int priority = 0) {
+        return experiment.objects.emplace_back(
+            ObjectSpec{std::move(name), shape, place, of, {}, {}, priority, {}});
     }
     ObjectSpec& sheet(std::string name, Shape const& shape, SurfaceId of, Affine const& place = {}) {
         return experiment.objects.emplace_back(ObjectSpec{std::move(name), shape, place, {}, of, {}, 0, {}});
     }
     DetectorSpec& detector(std::string name, Affine const& place, dvec2 size, bool absorbs = true) {
-        return experiment.detectors.emplace_back(DetectorSpec{std::move(name), place, size, 1, 1, absorbs, false, {}});
+        return experiment.detectors.emplace_back(
+            DetectorSpec{std::move(name), place, size, 1, 1, absorbs, false, {}});
     }
     /// A source of rays of a watt together, at 587.6 nm unless said otherwise.
-    SourceSpec& rays(std::vector<RaySpec> rays) {
-        return source(ExplicitRays{std::move(rays)});
-    }
+    SourceSpec& rays(std::vector<RaySpec> rays) { return source(ExplicitRays{std::move(rays)}); }
     template <class Emitter>
     SourceSpec& source(Emitter emitter) {
-        return experiment.sources.emplace_back(SourceSpec{"source " + std::to_string(experiment.sources.size()),
-                                                          std::move(emitter), {{587.6e-9, 1.0}}, 1.0, false, {}});
+        return experiment.sources.emplace_back(
+            SourceSpec{"source " + std::to_string(experiment.sources.size()),
+                       std::move(emitter),
+                       {{587.6e-9, 1.0}},
+                       1.0,
+                       false,
+                       {}});
     }
 };
 
-inline Affine moved(dvec3 const& offset) { return {dmat3(1.0), offset}; }
+inline Affine moved(dvec3 const& offset) {
+    return {dmat3(1.0), offset};
+}
 
 /// Of a sheet or a detector at `at` whose +z looks along `facing`.
 inline Affine facing(dvec3 const& at, dvec3 const& facing_, dvec3 const& up = dvec3(0.0)) {
