@@ -40,6 +40,9 @@ bool remember_sheets(Scene const& scene, NextHit const& hit, LeftSheets const& l
             found.left.push_back(sheet);
     };
     found.left.clear();
+    found.newly = 0;
+    if (left.empty() && hit.beside.empty() && !first.open) // open surfaces come first
+        return true;
     if (!left.empty())
         for (LeftSheet const& sheet : scene.bvh->still_there(left, first.point))
             if (!is_new(sheet))
@@ -90,7 +93,7 @@ std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside) {
 
 LeftSheets Interface::left_by(bool crosses) const {
     LeftSheets sheets = left;
-    for (std::size_t i = newly; crosses && i < sheets.size(); ++i)
+    for (std::size_t i = crosses ? newly : sheets.size(); i < sheets.size(); ++i)
         sheets[i].above = !sheets[i].above;
     return sheets;
 }

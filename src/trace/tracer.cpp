@@ -97,7 +97,7 @@ void Grove::plant(std::uint64_t first, std::uint32_t count) {
 Event Grove::cut_or_none(Branch const& branch) const {
     if (branch.fate != Event::none)
         return branch.fate;
-    if (!finite(branch.origin) || !finite(branch.direction) || !std::isfinite(branch.power))
+    if (!finite(branch.origin + branch.direction + branch.power))
         return Event::invalid;
     if (branch.depth > context_.options.max_depth)
         return Event::cut_depth;

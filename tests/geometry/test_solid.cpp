@@ -128,7 +128,7 @@ TEST_CASE("crossings lie on the surface to a few ulp, and normals point outwards
     }
 }
 
-TEST_CASE("a start is inside where the oracle says so; on the surface it belongs to where it heads") {
+TEST_CASE("a start is inside where the oracle says so, on the surface it belongs to where it heads") {
     Dice dice(5);
     for (auto const& [name, shape] : closed_shapes()) {
         CAPTURE(name);
