@@ -177,7 +177,7 @@ TEST_CASE("in a wedge of two mirrors no ray slips through, however near the apex
 }
 
 TEST_CASE(
-    "six detectors at one place each count a ray once; more than can be kept apart is an error, not a loop") {
+    "six detectors at one place each count a ray once, more than can be kept apart is an error, not a loop") {
     for (std::size_t count : {2, 6, 7, 12}) {
         Lab lab;
         for (std::size_t i = 0; i < count; ++i)
