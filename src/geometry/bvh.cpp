@@ -20,9 +20,14 @@ struct Bvh::State {
 
     NextHit next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
                          double from) const;
-    bool touch(FaceId one, FaceId other) const {
-        auto const& with = partners[one.value];
-        return std::find(with.begin(), with.end(), other) != with.end();
+    FaceId face_of(Candidate const& c) const {
+        return {objects[c.object].geometry.first_face.value + c.face};
+    }
+    bool touch(Candidate const& one, Candidate const& other) const {
+        if (!objects[one.object].exact() || !objects[other.object].exact())
+            return flush(objects[one.object], one, objects[other.object], other);
+        auto const& with = partners[face_of(one).value];
+        return std::find(with.begin(), with.end(), face_of(other)) != with.end();
     }
 };
 
@@ -119,7 +124,7 @@ NextHit Bvh::State::next_of_lone(dvec3 const& origin, dvec3 const& direction, Sh
         hit.t = contradiction;
         return hit;
     }
-    hit.at_one_place.push_back(objects.front().finished(found, origin, direction));
+    hit.at_one_place.push_back(objects.front().finished(found, origin, direction, from));
     hit.t = std::max(found.t, from);
     hit.blur = found.blur;
     return hit;
@@ -183,7 +188,7 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
     }
     if (candidates.size() == 1 && contradiction >= candidates.front().t) { // as nearly always
         Candidate const& only = candidates.front();
-        hit.at_one_place.push_back(state.objects[only.object].finished(only, origin, direction));
+        hit.at_one_place.push_back(state.objects[only.object].finished(only, origin, direction, from));
         hit.t = std::max(only.t, from);
         hit.blur = only.blur;
         return hit;
@@ -200,20 +205,17 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         hit.t = contradiction;
         return hit;
     }
-    auto const face_of = [&](Candidate const& c) {
-        return FaceId{state.objects[c.object].geometry.first_face.value + c.face};
-    };
     InlineVector<Candidate, 8> together;
     for (Candidate const& c : candidates) {
         if (c.object != nearest.object && c.t > nearest.t + nearest.blur + c.blur)
             continue;
-        if (c.object == nearest.object || (state.touch(face_of(c), face_of(nearest)) && !together.full()))
+        if (c.object == nearest.object || (state.touch(c, nearest) && !together.full()))
             together.insert_sorted(c, [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
         else if (c.open && !hit.beside.full())
             hit.beside.push_back({c.object, c.enters});
     }
     for (Candidate const& c : together)
-        hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction));
+        hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction, from));
     hit.t = std::max(nearest.t, from);
     hit.blur = nearest.blur;
     return hit;

@@ -113,4 +113,14 @@ bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& oth
                       one);
 }
 
+bool lie_on(std::array<dvec3, 3> const& points, PlaneCarrier const& plane, Affine const& to_plane) {
+    double const ulp = placement_ulps * std::numeric_limits<double>::epsilon();
+    return std::all_of(points.begin(), points.end(), [&](dvec3 const& point) {
+        dvec3 const local = to_plane.point(point);
+        double const coordinates =
+            length(local) + length(to_plane.offset) + size_of(to_plane.linear) * length(point);
+        return std::abs(dot(plane.normal, local) - plane.offset) <= ulp * coordinates;
+    });
+}
+
 } // namespace sahl

@@ -6,6 +6,7 @@
 #include "geometry/shape.h"
 #include "geometry/solid.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -36,5 +37,11 @@ Carrier sheet_carrier(); // z = 0
 ///   reach    m, in the frame of the first: how far from its origin the face extends
 bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other,
               Affine const& other_to_world, double reach);
+
+/// Do points of the world, a triangle's corners, lie on a plane to within the rounding of the coordinates?
+bool lie_on(std::array<dvec3, 3> const& points, PlaneCarrier const& plane, Affine const& to_plane);
+
+/// Do points of the world, a triangle's corners, lie on a plane to within the rounding of the coordinates?
+bool lie_on(std::array<dvec3, 3> const& points, PlaneCarrier const& plane, Affine const& to_plane);
 
 } // namespace sahl

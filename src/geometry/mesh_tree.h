@@ -7,6 +7,7 @@
 #include "geometry/mesh.h"
 #include "geometry/shell_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,9 +18,15 @@ namespace sahl {
 struct MeshCrossing {
     double t = 0.0;
     double slope = 0.0; // |n·d|
+    double range = 0.0; // of t over the triangle's corners
     dvec2 uv{0.0};      // weights of the triangle's second and third corner
     std::uint32_t triangle = 0;
-    bool enters = false; // the volume that the shell encloses
+    bool enters = false;    // the volume that the shell encloses
+    bool recovered = false; // the line itself misses the triangle, by no more than rounding
+
+    /// How far rounding (m, along the normal) may shift t: where the line runs along the triangle, over all
+    /// of it.
+    double blur(double rounding) const { return std::min(rounding / slope, range); }
 };
 
 struct MeshAnswer {
@@ -54,14 +61,22 @@ class MeshTree {
     Mesh const& mesh() const { return *mesh_; }
     /// Unit, out of the volume that the shell encloses.
     dvec3 normal(std::uint32_t triangle) const;
+    /// The point of the triangle's plane below `point`; if it lies outside the triangle, where rounding may
+    /// put it at grazing incidence, one of the border.
+    dvec3 onto(std::uint32_t triangle, dvec3 const& point) const;
 
   private:
     struct Line;
+    struct Projected;
     std::optional<MeshCrossing> meet(Line const& line, std::uint32_t triangle) const;
-    std::vector<MeshCrossing> all(dvec3 const& origin, dvec3 const& direction, double from,
-                                  double rounding) const;
-    MeshAnswer settle(std::vector<MeshCrossing> crossings, InsideShells inside, Reach reach,
-                      double rounding) const;
+    MeshCrossing crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const;
+    std::vector<MeshCrossing> all(Line const& line, double from, double rounding) const;
+    MeshAnswer settle(Line const& line, InsideShells inside, Reach reach, double rounding) const;
+    /// Where a line contradicts what the ray is in: the nearest triangle that fits and that the line misses
+    /// by no more than rounding. Reflected close to an edge, a ray may start beyond the face on its other
+    /// side.
+    std::optional<MeshCrossing> just_missed(Line const& line, std::uint32_t shell, bool inside, Reach reach,
+                                            double rounding) const;
 
     std::shared_ptr<Mesh const> mesh_;
     BoxTree tree_;

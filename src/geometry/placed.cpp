@@ -114,7 +114,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 if (auto const& c = answer.crossing) {
                     auto const& soup = tree->mesh().soup;
                     found = Candidate{c->t,
-                                      ray.rounding / c->slope,
+                                      c->blur(ray.rounding),
                                       0,
                                       soup.triangle_face[c->triangle],
                                       static_cast<std::int32_t>(c->triangle),
@@ -161,9 +161,11 @@ bool Placed::lies_at(dvec3 const& point) const {
     return std::abs(ray.origin.z) <= ray.rounding;
 }
 
-Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction) const {
+Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction,
+                          double from) const {
     LocalRay const ray = local(origin, direction);
-    dvec3 point = ray.origin + candidate.t * ray.direction;
+    double const t = std::max(candidate.t, from);
+    dvec3 point = ray.origin + t * ray.direction;
     dvec3 facet(0.0), normal(0.0);
     std::visit(Overloaded{
                    [&](Shape const&) {
@@ -176,7 +178,7 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                        auto const& soup = tree->mesh().soup;
                        auto const& corners = soup.triangles[triangle];
                        facet = normal = tree->normal(triangle);
-                       point -= dot(facet, point - soup.positions[corners[0]]) * facet;
+                       point = tree->onto(triangle, point);
                        if (geometry.interpolate && !soup.normals.empty()) {
                            double const u = candidate.uv.x, v = candidate.uv.y;
                            dvec3 const smooth = (1.0 - u - v) * soup.normals[corners[0]] +
@@ -191,7 +193,7 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                },
                met_by);
     Crossing crossing;
-    crossing.t = candidate.t;
+    crossing.t = t;
     crossing.face = {geometry.first_face.value + candidate.face};
     crossing.shell = geometry.first_shell;
     crossing.open = candidate.open;
@@ -224,6 +226,43 @@ Carrier Placed::carrier(std::uint32_t face) const {
     if (Solid const* const solid = std::get_if<Solid>(&met_by))
         return carrier_of(solid->regions()[face]);
     return sheet_carrier();
+}
+
+namespace {
+
+std::optional<std::array<dvec3, 3>> corners_of(Placed const& placed, Candidate const& candidate) {
+    Tree const* const tree = std::get_if<Tree>(&placed.met_by);
+    if (!tree)
+        return std::nullopt;
+    auto const& soup = (*tree)->mesh().soup;
+    auto const& [a, b, c] = soup.triangles[static_cast<std::uint32_t>(candidate.primitive)];
+    return std::array{soup.positions[a], soup.positions[b], soup.positions[c]};
+}
+
+bool triangle_lies_on(Placed const& one, Candidate const& at_one, Placed const& other,
+                      Candidate const& at_other) {
+    auto corners = corners_of(one, at_one);
+    if (!corners)
+        return false;
+    for (dvec3& corner : *corners)
+        corner = one.geometry.to_world.point(corner);
+    Carrier carrier = sheet_carrier();
+    if (auto const triangle = corners_of(other, at_other)) {
+        dvec3 const normal =
+            std::get<Tree>(other.met_by)->normal(static_cast<std::uint32_t>(at_other.primitive));
+        carrier = PlaneCarrier{normal, dot(normal, triangle->front())};
+    } else {
+        carrier = other.carrier(at_other.face);
+    }
+    auto const* const plane = std::get_if<PlaneCarrier>(&carrier);
+    return plane && lie_on(*corners, *plane, other.to_local);
+}
+
+} // namespace
+
+bool flush(Placed const& one, Candidate const& at_one, Placed const& other, Candidate const& at_other) {
+    // either may be the larger, whose plane is the more exact
+    return triangle_lies_on(one, at_one, other, at_other) || triangle_lies_on(other, at_other, one, at_one);
 }
 
 } // namespace sahl

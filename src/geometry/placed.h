@@ -51,13 +51,18 @@ struct Placed {
     bool lies_at(dvec3 const& point) const;
     bool heads_above(dvec3 const& direction) const { return to_local.vector(direction).z > 0.0; }
 
-    /// The crossing with its point and normals in the world.
-    Crossing finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction) const;
+    /// The crossing with its point and normals in the world. What rounding puts before `from` is met there: a
+    /// ray that went back along a face that it grazes would come out beside it.
+    Crossing finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction,
+                      double from) const;
 
     std::uint32_t face_count() const;
     Carrier carrier(std::uint32_t face) const; // of an exact shape
     bool exact() const { return !std::holds_alternative<std::shared_ptr<MeshTree const>>(met_by); }
 };
+
+/// Do two faces that are met at one place, one of them at least a triangle of a mesh, lie on one plane?
+bool flush(Placed const& one, Candidate const& at_one, Placed const& other, Candidate const& at_other);
 
 Placed place(PlacedGeometry geometry, std::shared_ptr<MeshTree const> tree);
 

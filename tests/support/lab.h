@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "trace/tracer.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,43 @@ inline Affine moved(dvec3 const& offset) {
 inline Affine facing(dvec3 const& at, dvec3 const& facing_, dvec3 const& up = dvec3(0.0)) {
     dvec3 const z = normalize(facing_), y = perpendicular_to(z, up);
     return {dmat3(cross(y, z), y, z), at};
+}
+
+/// A body that is a mesh, as a model's would be; the scene's faces and shells that were there keep their
+/// numbers.
+struct MeshSpec {
+    std::string name;
+    std::shared_ptr<Mesh const> mesh;
+    MediumId medium;
+    Affine place{};
+    int priority = 0;
+};
+
+inline Scene with_meshes(Scene scene, std::vector<MeshSpec> const& specs) {
+    std::vector<PlacedGeometry> geometries;
+    FaceId face{0};
+    ShellId shell{0};
+    auto const put = [&](std::variant<Shape, std::shared_ptr<Mesh const>> geometry, Body const& body,
+                         std::size_t faces, std::size_t shells) {
+        geometries.push_back(
+            {std::move(geometry), body.to_world, face, shell, body.detector.has_value(), false});
+        face.value += static_cast<std::uint32_t>(faces);
+        shell.value += static_cast<std::uint32_t>(shells);
+    };
+    for (Body const& body : scene.bodies)
+        put(*body.shape, body, face_names(*body.shape).size(), body.open ? 0 : 1);
+    for (MeshSpec const& spec : specs) {
+        ObjectId const id{static_cast<std::uint32_t>(scene.bodies.size())};
+        scene.bodies.push_back(
+            {spec.name, false, spec.medium, spec.priority, {}, spec.mesh, Method::facet, {}, spec.place});
+        for (std::string const& name : spec.mesh->soup.face_names)
+            scene.faces.push_back({spec.name + "." + name, id, {}});
+        for (MeshShell const& one : spec.mesh->shells)
+            scene.shells.push_back({id, one.sign, spec.mesh->shells.size() == 1});
+        put(spec.mesh, scene.bodies.back(), spec.mesh->soup.face_names.size(), spec.mesh->shells.size());
+    }
+    scene.bvh = std::make_unique<Bvh const>(std::move(geometries));
+    return scene;
 }
 
 /// A scene with what traced it; every ray in one batch.
