@@ -1,5 +1,6 @@
 #include "trace/sources.h"
 
+#include "math/input_error.h"
 #include "math/overloaded.h"
 #include "math/random.h"
 #include "math/sequences.h"
@@ -91,10 +92,18 @@ Emission::Emission(std::vector<SourceSpec> const& sources, WavelengthTable const
         Beam const* const beam = std::get_if<Beam>(&spec.emitter);
         bool const equal =
             !std::holds_alternative<ExplicitRays>(spec.emitter) && !(beam && beam->gaussian_radius);
-        prepared.weights = equal ? static_cast<double>(prepared.rays) : 0.0;
-        for (std::uint64_t i = 0; !equal && i < prepared.rays; ++i)
-            prepared.weights +=
-                weight(prepared, beam ? point(prepared, i, first_.back() + i) : dvec2(0.0), i);
+        std::uint64_t number = first_.back();
+        for (std::size_t colour = 0; colour < prepared.wavelengths.size(); ++colour) {
+            double weights = equal ? static_cast<double>(prepared.rays) : 0.0;
+            for (std::uint64_t i = 0; !equal && i < prepared.rays; ++i)
+                weights += weight(prepared, beam ? point(prepared, i, number + i) : dvec2(0.0), i);
+            if (!(weights > 0.0 && std::isfinite(weights)))
+                throw InputError(
+                    spec.place.text(), "no ray of " + spec.name + " has any power",
+                    "give a profile that is not much narrower than the rays lie apart, or weights above 0");
+            prepared.weights.push_back(weights);
+            number += prepared.rays;
+        }
         first_.push_back(first_.back() + prepared.rays * prepared.wavelengths.size());
     }
 }
@@ -169,7 +178,7 @@ Ray Emission::ray(std::uint64_t number) const {
             },
         },
         source.spec->emitter);
-    ray.power *= source.spec->power * source.wavelength_share[colour] / source.weights;
+    ray.power *= source.spec->power * source.wavelength_share[colour] / source.weights[colour];
     return ray;
 }
 

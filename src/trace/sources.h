@@ -33,9 +33,9 @@ class Emission {
         SourceSpec const* spec;
         std::vector<WavelengthId> wavelengths;
         std::vector<double> wavelength_share;
-        std::uint64_t rays = 0;    // per wavelength
-        std::vector<dvec2> points; // of a beam's pattern, in units of its size; empty where drawn by number
-        double weights = 0.0;      // sum over the rays of one wavelength
+        std::uint64_t rays = 0;      // per wavelength
+        std::vector<dvec2> points;   // of a beam's pattern, in units of its size; empty where drawn by number
+        std::vector<double> weights; // by wavelength: sum over its rays
     };
     dvec2 point(Prepared const& source, std::uint64_t number, std::uint64_t ray) const;
     double weight(Prepared const& source, dvec2 const& point, std::uint64_t number) const;
