@@ -127,6 +127,7 @@ NextHit Bvh::State::next_of_lone(dvec3 const& origin, dvec3 const& direction, Sh
     hit.at_one_place.push_back(objects.front().finished(found, origin, direction, from));
     hit.t = std::max(found.t, from);
     hit.blur = found.blur;
+    hit.proof = found.recovered ? Proof::recovered : Proof::clean;
     return hit;
 }
 
@@ -191,6 +192,7 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         hit.at_one_place.push_back(state.objects[only.object].finished(only, origin, direction, from));
         hit.t = std::max(only.t, from);
         hit.blur = only.blur;
+        hit.proof = only.recovered ? Proof::recovered : Proof::clean;
         return hit;
     }
     auto const rank = [&](Candidate const& c) {
@@ -218,6 +220,7 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction, from));
     hit.t = std::max(nearest.t, from);
     hit.blur = nearest.blur;
+    hit.proof = nearest.recovered ? Proof::recovered : Proof::clean;
     return hit;
 }
 

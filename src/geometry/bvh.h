@@ -42,9 +42,10 @@ struct Crossing {
 };
 
 enum class Proof : std::uint8_t {
-    clean, // what was met fits what the ray was in
-    leak,  // it does not: a shell that the ray is in is never left, or one that it is not in is met from
-           // inside
+    clean,     // what was met fits what the ray was in
+    recovered, // it does to within rounding: a face that the line just misses was taken as met
+    leak,      // it does not: a shell that the ray is in is never left, or one that it is not in is met from
+               // inside
 };
 
 /// An open geometry that lies where a ray starts, and the side of it that the ray is on: going away from it,

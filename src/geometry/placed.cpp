@@ -120,7 +120,8 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                                       static_cast<std::int32_t>(c->triangle),
                                       c->uv,
                                       false,
-                                      c->enters};
+                                      c->enters,
+                                      c->recovered};
                 }
                 return answer.contradiction;
             },

@@ -21,6 +21,7 @@ struct Candidate {
     dvec2 uv{0.0};
     bool open = false;
     bool enters = false;
+    bool recovered = false; // met by a line that misses it by no more than rounding
 };
 
 struct Placed {

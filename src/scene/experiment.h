@@ -104,7 +104,7 @@ enum class Method { automatic, facet, interpolated, quadratic, fitted, recognise
 enum class Polarised { automatic, yes, no };
 
 struct TraceOptions {
-    std::uint32_t max_depth = 64; // [0, 65535] interactions
+    std::uint32_t max_depth = 64; // [0, 65534] interactions; a branch that is cut has one more, in 16 bits
     double min_power = 1e-6;      // share of the source ray's power
     BranchPolicy branch = BranchPolicy::split;
     double split_until = 0.1; // with roulette

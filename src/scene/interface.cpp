@@ -102,12 +102,15 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
                        ShellSet const& inside, std::optional<ObjectId> body, LeftSheets const& left,
                        Interface& found) {
     found.inside_after = inside;
+    found.on_the_way.clear();
+    found.recovered = false;
     double from = 0.0;
     for (;;) {
         NextHit const hit = scene.bvh->next(origin, direction, found.inside_after, left, from);
         found.t = hit.t;
         if (hit.proof == Proof::leak)
             return Meeting::leak;
+        found.recovered = found.recovered || hit.proof == Proof::recovered;
         if (hit.at_one_place.empty())
             return Meeting::nothing;
         Crossing const& first = hit.at_one_place.front();
@@ -124,12 +127,11 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
             return Meeting::interface;
         }
         for (Crossing const& c : hit.at_one_place)
-            if (!c.open) {
-                if (!c.enters)
-                    found.inside_after.erase(c.shell);
-                else if (!found.inside_after.insert(c.shell))
-                    return Meeting::too_deep;
-            }
+            if (!c.open && !c.enters)
+                found.inside_after.erase(c.shell);
+        for (Crossing const& c : hit.at_one_place)
+            if (!c.open && c.enters && !found.inside_after.insert(c.shell))
+                return Meeting::too_deep;
         found.body_after = body_at(scene, found.inside_after);
         found.medium_after = medium_of(scene, found.body_after);
         found.detector.reset();
@@ -145,6 +147,8 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
             take_place(found, hit, crossing, direction);
             return Meeting::interface;
         }
+        if (!same_body && !found.on_the_way.full())
+            found.on_the_way.push_back({hit.t, body});
         body = found.body_after;
         from = hit.t;
     }

@@ -5,6 +5,12 @@
 
 namespace sahl {
 
+/// A piece of the way that lies in another body of the same medium than the one that follows.
+struct Stretch {
+    double end; // t
+    std::optional<ObjectId> body;
+};
+
 struct Interface {
     dvec3 point{0.0};
     dvec3 normal{0.0}; // unit, facing: its dot product with the direction is ≤ 0 (unless interpolated)
@@ -14,8 +20,11 @@ struct Interface {
     std::int32_t primitive = -1;
     std::optional<SurfaceId> surface;   // none: a clean boundary
     std::optional<DetectorId> detector; // it is one
+    bool recovered = false;             // what was met on the way there is so to within rounding alone
     bool against_facing = false;        // the light comes against the open surface's +z
     std::optional<ObjectId> body_before, body_after;
+    InlineVector<Stretch, 8>
+        on_the_way; // bodies left in silence; more than fit count as the one that follows
     MediumId medium_after;
     ShellSet inside_before, inside_after; // on either side of it
     // open surfaces at this place, and the side that the ray comes from; from `newly` on those that it meets

@@ -34,7 +34,7 @@ constexpr Key trace_keys[] = {
      Kind::integer,
      64.0,
      "interactions along one path; a guard, not the main cut-off",
-     {0.0, 65535.0}},
+     {0.0, 65534.0}},
     {"min_power", Kind::number, 1e-6,
      "a branch below this share of its source ray's power is cut, and counted", share},
     {"branch", Kind::text, "split",

@@ -29,7 +29,7 @@ class Grove {
     void plant(std::uint64_t first, std::uint32_t count);
     void trace(Branch const& branch);
     Event cut_or_none(Branch const& branch) const;
-    double attenuate(Branch const& branch, double length);
+    double attenuate(Branch const& branch, Interface const& interface);
     void detect(Branch const& branch, Interface const& interface, double power, double optical_path);
     void push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                        double optical_path);
@@ -80,7 +80,7 @@ void Grove::plant(std::uint64_t first, std::uint32_t count) {
         root.direction = ray.direction;
         root.power = ray.power;
         root.ray = i;
-        if (finite(ray.origin) && finite(ray.direction)) {
+        if (finite(ray.origin) && finite(ray.direction) && ray.direction != dvec3(0.0)) {
             Bvh::Start const start = context_.scene.bvh->start_at(ray.origin, ray.direction);
             root.inside = start.inside;
             root.left = start.on;
@@ -118,6 +118,7 @@ void Grove::trace(Branch const& branch) {
     if (meeting == Meeting::leak || meeting == Meeting::too_deep)
         return lose(branch, meeting == Meeting::leak ? Event::leak : Event::invalid, branch.power,
                     interface.t);
+    result_.tally.recovered += interface.recovered;
     WavelengthId const wavelength = rays_[branch.ray].wavelength;
     if (meeting == Meeting::nothing) {
         result_.tally.escape(branch.power, branch.direction, wavelength);
@@ -125,7 +126,7 @@ void Grove::trace(Branch const& branch) {
     }
     double const optical_path =
         branch.optical_path + context_.optics.index(branch.medium, wavelength) * interface.t;
-    double const power = attenuate(branch, interface.t);
+    double const power = attenuate(branch, interface);
     if (interface.detector) {
         DetectorSpec const& detector = context_.scene.detectors[interface.detector->value];
         bool const counts = interface.against_facing || detector.back;
@@ -154,16 +155,23 @@ void Grove::trace(Branch const& branch) {
 }
 
 /// Beer–Lambert on the way; counts what is lost and returns what arrives.
-double Grove::attenuate(Branch const& branch, double length) {
+double Grove::attenuate(Branch const& branch, Interface const& interface) {
     double const coefficient = context_.optics.absorption(branch.medium, rays_[branch.ray].wavelength);
     if (coefficient == 0.0)
         return branch.power;
-    double const arrives = branch.power * std::exp(-coefficient * length);
-    double const lost = branch.power - arrives;
-    result_.tally.absorbed.add(lost, context_.unit);
-    auto& in_body = result_.tally.absorbed_in_body;
-    (branch.body ? in_body[branch.body->value] : in_body.back()).add(lost, context_.unit);
-    return arrives;
+    double power = branch.power;
+    auto const pass = [&](double end, std::optional<ObjectId> body) {
+        double const arrives = branch.power * std::exp(-coefficient * end);
+        double const lost = power - arrives;
+        result_.tally.absorbed.add(lost, context_.unit);
+        auto& in_body = result_.tally.absorbed_in_body;
+        (body ? in_body[body->value] : in_body.back()).add(lost, context_.unit);
+        power = arrives;
+    };
+    for (Stretch const& stretch : interface.on_the_way)
+        pass(stretch.end, stretch.body);
+    pass(interface.t, interface.body_before);
+    return power;
 }
 
 void Grove::detect(Branch const& branch, Interface const& interface, double power, double optical_path) {

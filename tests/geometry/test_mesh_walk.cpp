@@ -31,7 +31,7 @@ struct Room {
 int bounces_made(Room const& room, dvec3 origin, dvec3 direction, ShellSet const& inside, int bounces) {
     for (int made = 0; made < bounces; ++made) {
         NextHit const hit = room.bvh.next(origin, direction, inside, {});
-        if (hit.proof != Proof::clean)
+        if (hit.proof == Proof::leak)
             return made;
         if (hit.at_one_place.empty()) // outside, a ray may go away
             return inside.empty() ? bounces : made;

@@ -204,20 +204,6 @@ TEST_CASE(
             });
 }
 
-TEST_CASE("a body in surroundings of its own medium is not seen") {
-    in_any_group(
-        [] {
-            Lab lab;
-            lab.body("ghost", Sphere{0.5}, air);
-            lab.rays({{{0.1, 0.0, -1.0}, {0.0, 0.0, 1.0}}});
-            return lab;
-        },
-        [](Traced const& traced) {
-            REQUIRE(traced.segments().size() == 1);
-            CHECK(traced.segments()[0].ended == Event::escaped);
-        });
-}
-
 TEST_CASE(
     "on a shared face the surface of the body of higher priority counts, else of the only one that has one") {
     for (int priority : {0, 1})
@@ -240,18 +226,4 @@ TEST_CASE(
                     CHECK((traced.ended(Event::reflected) > 0) == mirrors);
                     CHECK((traced.ended(Event::absorbed) > 0) == !mirrors);
                 });
-}
-
-TEST_CASE("sixteen shells round one place are too many: an invalid ray, not a crash") {
-    for (int count : {15, 16, 20}) {
-        Lab lab;
-        for (int k = 0; k < count; ++k)
-            lab.body("shell " + std::to_string(k), Sphere{1.0 - 0.01 * k}, lab.medium(1.5 + 0.01 * k));
-        lab.experiment.trace.min_power = 0.5;
-        lab.rays({{{0.0, 0.0, -2.0}, {0.0, 0.0, 1.0}}, {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}});
-        Traced const traced = trace(lab);
-        CHECK(traced.ended(Event::invalid) == (count > 15 ? 2 : 0));
-        CHECK(traced.watts(traced.result.tally.error) == Approx(count > 15 ? 1.0 : 0.0).margin(0.5));
-        CHECK(std::abs(traced.result.tally.remainder()) < 1e-14);
-    }
 }

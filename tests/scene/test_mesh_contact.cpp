@@ -141,3 +141,25 @@ TEST_CASE("two halves of a ball that were cut from one mesh are one boundary") {
     CHECK(slipped == 0);
     CHECK(std::abs(traced.result.tally.remainder()) < 1e-12);
 }
+
+TEST_CASE("rays that are met within rounding alone are counted as recovered, not lost") {
+    // total reflection close to the edges of a block that is turned: where a ray starts beyond the next face
+    Dice dice(4);
+    Affine const group{dice.rotation(), dice.direction()};
+    Lab lab;
+    MediumId const glass = lab.medium(2.5);
+    std::vector<RaySpec> rays;
+    for (int k = 0; k < 1000; ++k) {
+        dvec3 const edge(dice.between(-0.1, 0.1), k % 2 ? 0.1 : -0.1, k % 4 < 2 ? 0.1 : -0.1),
+            from = 0.09 * dice.direction();
+        rays.push_back({group.point(from), normalize(group.vector(edge - from))});
+    }
+    lab.rays(rays);
+    lab.experiment.trace.min_power = 1e-2;
+    std::vector<MeshSpec> const meshes{{"block", mesh_of(box_soup(dvec3(-0.1), dvec3(0.1))), glass, group}};
+    Traced const traced = trace(with_meshes(build_scene(lab.experiment), meshes), lab.experiment.trace, 0);
+    CHECK(traced.ended(Event::leak) == 0);
+    CHECK(traced.result.tally.recovered > 10);
+    CHECK(traced.result.tally.recovered < 1000); // and not at every turn
+    CHECK(std::abs(traced.result.tally.remainder()) < 1e-13);
+}

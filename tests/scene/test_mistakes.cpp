@@ -225,7 +225,7 @@ std::vector<Mistake> mistakes() {
         {"a negative depth",
          2,
          "[trace]\nmax_depth = -1\n",
-         {"'max_depth' in [trace] is -1", "from 0 to 65535"}},
+         {"'max_depth' in [trace] is -1", "from 0 to 65534"}},
         {"half a depth", 2, "[trace]\nmax_depth = 1.5\n", {"whole number"}},
         {"a tolerance of 0",
          2,
