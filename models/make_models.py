@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the glTF models of this folder: balls, biconvex lenses, a prism. See README.md.
+"""Writes the models of this folder but for the bunny: balls, biconvex lenses, a prism, light guides. See README.md.
 
 Usage: make_models.py [--check]     --check compares with the files that are there, and writes nothing
 
@@ -7,40 +7,15 @@ Positions and normals are computed in double from the exact surface and rounded 
 is computed once and shared, so that surfaces are closed when equal positions are welded. Needs Python alone.
 """
 
-import base64
-import json
 import math
-import struct
 import sys
 from pathlib import Path
 
+from light_guides import bent_guide, box
+from model_files import Body, Face, document, glb, gltf, obj, unit
+
 FOLDER = Path(__file__).resolve().parent
 MM = 1e-3  # glTF is in metres
-INDEX = 1.5168  # N-BK7 at the helium d line
-ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
-FLOAT, UNSIGNED_SHORT = 5126, 5123
-
-
-def as_float(value):
-    """The nearest 32-bit float. What is 0 but for rounding is 0, whatever the mathematics library."""
-    return struct.unpack("<f", struct.pack("<f", 0.0 if abs(value) < 1e-15 else value))[0]
-
-
-def unit(v):
-    size = math.sqrt(sum(x * x for x in v))
-    return tuple(x / size for x in v)
-
-
-class Face:
-    """A smooth face: vertices with their normals, and triangles, counter-clockwise seen from outside."""
-
-    def __init__(self, name):
-        self.name, self.positions, self.normals, self.triangles = name, [], [], []
-
-    def vertex(self, position, normal):
-        self.positions.append(tuple(as_float(x) for x in position))
-        self.normals.append(tuple(as_float(x) for x in normal))
-        return len(self.positions) - 1
 
 
 def ball(radius, subdivisions):
@@ -150,78 +125,22 @@ def prism(apex, side, length):
     ]
 
 
-def glass(name, thickness):
-    return {
-        "name": name,
-        "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.0},
-        "extensions": {
-            "KHR_materials_ior": {"ior": INDEX},
-            "KHR_materials_transmission": {"transmissionFactor": 1.0},
-            "KHR_materials_volume": {"thicknessFactor": thickness},
-        },
-    }
-
-
-def document(name, faces, thickness):
-    """The JSON, and the bytes of its buffer: each face is a primitive with a material of its name."""
-    data, views, accessors, primitives = bytearray(), [], [], []
-
-    def store(values, layout, component, kind, target, **limits):
-        views.append({"buffer": 0, "byteOffset": len(data), "target": target})
-        for value in values:
-            data.extend(struct.pack(layout, *value))
-        views[-1]["byteLength"] = len(data) - views[-1]["byteOffset"]
-        data.extend(bytes(-len(data) % 4))
-        count = len(values) * (3 if kind == "SCALAR" else 1)
-        view = {"bufferView": len(views) - 1, "componentType": component, "count": count, "type": kind}
-        accessors.append({**view, **limits})
-        return len(accessors) - 1
-
-    for face in faces:
-        columns = list(zip(*face.positions))
-        limits = {"min": [min(c) for c in columns], "max": [max(c) for c in columns]}
-        position = store(face.positions, "<3f", FLOAT, "VEC3", ARRAY_BUFFER, **limits)
-        normal = store(face.normals, "<3f", FLOAT, "VEC3", ARRAY_BUFFER)
-        indices = store(face.triangles, "<3H", UNSIGNED_SHORT, "SCALAR", ELEMENT_ARRAY_BUFFER)
-        attributes = {"POSITION": position, "NORMAL": normal}
-        primitives.append({"attributes": attributes, "indices": indices, "material": len(primitives)})
-    tree = {
-        "asset": {"version": "2.0", "generator": "Sahl models/make_models.py", "copyright": "CC0-1.0"},
-        "extensionsUsed": ["KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume"],
-        "scene": 0,
-        "scenes": [{"nodes": [0]}],
-        "nodes": [{"name": name, "mesh": 0}],
-        "meshes": [{"name": name, "primitives": primitives}],
-        "materials": [glass(face.name, thickness) for face in faces],
-        "accessors": accessors,
-        "bufferViews": views,
-        "buffers": [{"byteLength": len(data)}],
-    }
-    return tree, bytes(data)
-
-
-def glb(tree, data):
-    text = json.dumps(tree, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
-    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
-
-
-def gltf(tree, data):
-    tree["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
-    return (json.dumps(tree, indent=1) + "\n").encode()
-
-
 def models():
     """File name → bytes."""
     files = {}
     for subdivisions in (2, 3, 4, 5):
         name = f"ball-{20 * 4**subdivisions}"
-        files[name + ".glb"] = glb(*document(name, ball(5 * MM, subdivisions), 10 * MM))
-    for rings in (6, 18, 36):
+        files[name + ".glb"] = glb(*document([Body(name, ball(5 * MM, subdivisions), 10 * MM)]))
+    for rings in (6, 12, 18, 36):
         name = f"singlet-{12 * rings * (rings + 1)}"
-        files[name + ".glb"] = glb(*document(name, biconvex_lens(50 * MM, 10 * MM, 30 * MM, rings), 10 * MM))
-    files["prism.gltf"] = gltf(*document("prism", prism(math.radians(60), 25 * MM, 25 * MM), 25 * MM))
+        files[name + ".glb"] = glb(*document([Body(name, biconvex_lens(50 * MM, 10 * MM, 30 * MM, rings), 10 * MM)]))
+    files["prism.gltf"] = gltf(*document([Body("prism", prism(math.radians(60), 25 * MM, 25 * MM), 25 * MM)]))
+    core = Body("core", box("core", 5 * MM, 100 * MM), 5 * MM, 1.492)
+    cladding = Body("cladding", box("cladding", 7 * MM, 100 * MM), 7 * MM, 1.402)
+    files["clad-rod.gltf"] = gltf(*document([cladding, core]))
+    guide = Body("bent-guide", bent_guide(5 * MM, 10 * MM, 10 * MM, 64), 5 * MM)
+    files["bent-guide.glb"] = glb(*document([guide]))
+    files["bent-guide.obj"], files["bent-guide.mtl"] = obj(guide, "bent-guide.mtl")
     return files
 
 
