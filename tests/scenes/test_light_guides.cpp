@@ -64,7 +64,8 @@ TEST_CASE("a clad rod carries what comes within its acceptance angle, but for Fr
     }
 }
 
-TEST_CASE("askew a square rod accepts steeper light than a round one, each pair of walls for itself") {
+TEST_CASE("askew a square rod accepts steeper light than a round one, each pair of walls for itself",
+          "[slow]") {
     // at 45° between the walls each sees sin θ / √2
     Sweep const sweep = clad_rod(45.0);
     for (std::size_t i = 0; i < sweep.value.size(); ++i) {
