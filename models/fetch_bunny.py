@@ -31,7 +31,7 @@ CREDIT = "Stanford Computer Graphics Laboratory (scan); npm package bunny 1.0.1,
 def fetch(folder):
     """The package's file, by the npm client."""
     if not shutil.which("npm"):
-        sys.exit("fetch_bunny.py: npm is not installed. Install it, or name the package's file: fetch_bunny.py FILE.tgz")
+        sys.exit("fetch_bunny.py: npm is not here. Install it, or name the package's file: fetch_bunny.py FILE.tgz")
     command = ["npm", "pack", PACKAGE, "--silent", "--pack-destination", str(folder)]
     try:
         subprocess.run(command, check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, timeout=120)
@@ -42,12 +42,17 @@ def fetch(folder):
 
 def read(package):
     """Positions and triangles, as the package has them."""
+    if not package.is_file():
+        sys.exit(f"fetch_bunny.py: {package} is not a file. Nothing was written")
     if base64.b64encode(hashlib.sha512(package.read_bytes()).digest()).decode() != SHA512:
         sys.exit(f"fetch_bunny.py: {package} is not the package {PACKAGE}: its SHA-512 differs. Nothing was written")
     with tarfile.open(package) as archive:
         text = archive.extractfile("package/index.js").read().decode()
-    positions, cells = (json.loads(re.search(rf"exports\.{key}\s*=\s*(\[.*?\]\])", text, re.S)[1]) for key in ("positions", "cells"))
-    return positions, cells
+
+    def table(key):
+        return json.loads(re.search(rf"exports\.{key}\s*=\s*(\[.*?\]\])", text, re.S)[1])
+
+    return table("positions"), table("cells")
 
 
 def minus(a, b):
@@ -63,7 +68,7 @@ def dot(a, b):
 
 
 def vertex_normals(positions, cells):
-    """Σ (e1 × e2) / (|e1|² |e2|²) over the corners at a vertex, of unit length (N. Max, J. Graphics Tools 4 (1999) 1)."""
+    """Σ (e1 × e2) / (|e1|² |e2|²) over the corners at a vertex, unit vectors (N. Max, J. Graphics Tools 4 (1999) 1)."""
     sums = [[0.0] * 3 for _ in positions]
     for cell in cells:
         for i in range(3):

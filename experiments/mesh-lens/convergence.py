@@ -29,7 +29,7 @@ def trace(sahl, model, method):
         command = [sahl, "trace", HERE / "mesh-lens.toml", "--out", out, "--method", method, "--quiet"]
         subprocess.run(command + [f"--set={s}" for s in settings], check=True)
         subprocess.run([sahl, "export", out, "--to", f"{out}/paths.csv"], check=True, stdout=subprocess.DEVNULL)
-        last = {}  # of each ray, the direction of its last segment: with this min_power none but the direct path is left
+        last = {}  # of each ray, the last direction: with this min_power none but the direct path is left
         with open(f"{out}/paths.csv") as file:
             for row in csv.DictReader(file):
                 if row["ended"] == "detected":
@@ -71,12 +71,15 @@ def draw(sizes, errors):
     for h in (0.5, 1.0, 2.0):
         parts.append(f'<path d="M{x(h):.1f} {top}v{height}" stroke="#ddd"/>')
         parts.append(f'<text x="{x(h):.1f}" y="{top + height + 18}" text-anchor="middle">{h:g}</text>')
-    parts.append(f'<text x="{left + width / 2}" y="{top + height + 40}" text-anchor="middle">edge of a triangle, mm</text>')
-    parts.append(f'<text transform="translate(22 {top + height / 2}) rotate(-90)" text-anchor="middle">RMS error of direction, rad</text>')
+    below = f'x="{left + width / 2}" y="{top + height + 40}"'
+    beside = f'transform="translate(22 {top + height / 2}) rotate(-90)"'
+    for place, label in {below: "edge of a triangle, mm", beside: "RMS error of direction, rad"}.items():
+        parts.append(f'<text {place} text-anchor="middle">{label}</text>')
     for method, colour in METHODS.items():
         line = "L".join(f"{x(h):.1f} {y(estimate(method, h)):.1f}" for h in (sizes[-1], sizes[0]))
         parts.append(f'<path d="M{line}" stroke="{colour}" stroke-dasharray="4 4" fill="none"/>')
-        parts += [f'<circle cx="{x(h):.1f}" cy="{y(e):.1f}" r="4" fill="{colour}"/>' for h, e in zip(sizes, errors[method])]
+        for h, e in zip(sizes, errors[method]):
+            parts.append(f'<circle cx="{x(h):.1f}" cy="{y(e):.1f}" r="4" fill="{colour}"/>')
         place = f'x="{x(sizes[1]):.1f}" y="{y(errors[method][1]) - 16:.1f}" text-anchor="end"'
         parts.append(f'<text {place} fill="{colour}">{method}</text>')
     return "\n".join(parts + ["</svg>"]) + "\n"
@@ -86,7 +89,7 @@ def main():
     sahl = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/sahl"
     sizes = [HALF_DIAMETER / rings for rings in RINGS]
     errors = {}
-    print("method        edge mm  RMS error rad  order  error of the spot's RMS radius mm")
+    print("method        edge mm  RMS error rad  estimate  order  error of the spot's RMS radius mm")
     for method in METHODS:
         errors[method] = []
         for size, model in zip(sizes, RINGS.values()):
@@ -96,7 +99,7 @@ def main():
                 coarser = sizes[len(errors[method]) - 1]
                 order = f"{math.log(errors[method][-1] / error) / math.log(coarser / size):5.2f}"
             errors[method].append(error)
-            print(f"{method:12}  {size:7.4f}  {error:13.2e}  {order}  {spot:.1e}  (estimate {estimate(method, size):.1e} rad)")
+            print(f"{method:12}  {size:7.4f}  {error:13.2e}  {estimate(method, size):8.1e}  {order}  {spot:.1e}")
     (HERE / "convergence.svg").write_text(draw(sizes, errors))
 
 
