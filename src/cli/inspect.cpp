@@ -5,6 +5,7 @@
 #include "record/explain.h"
 #include "record/export_csv.h"
 #include "run/check.h"
+#include "scene/read_model.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,16 +23,16 @@ void add_check(CLI::App& app, int& status) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* const command =
         app.add_subcommand("check", "What is in an experiment or a model, and what would go wrong");
-    command->add_option("file", arguments->file, "An experiment file, or a model (.gltf, .glb)")->required();
+    command->add_option("file", arguments->file, "An experiment file, or a model (.gltf, .glb, .obj)")
+        ->required();
     command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
         ->take_all()
         ->allow_extra_args(false);
     command->add_flag("--json", arguments->json, "As JSON on standard output");
     command->callback([arguments, &status] {
-        std::string const ending = std::filesystem::path(arguments->file).extension().string();
-        bool const model = ending == ".gltf" || ending == ".glb";
-        Value const report = model ? check_model(arguments->file)
-                                   : check_experiment(load_experiment(arguments->file, arguments->set));
+        Value const report = is_model_file(arguments->file)
+                                 ? check_model(arguments->file)
+                                 : check_experiment(load_experiment(arguments->file, arguments->set));
         std::cout << (arguments->json ? to_json(report) + "\n" : check_text(report));
         status = 0;
     });

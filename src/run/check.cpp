@@ -1,7 +1,7 @@
 #include "run/check.h"
 
 #include "run/summary.h"
-#include "scene/read_gltf.h"
+#include "scene/read_model.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -209,9 +209,13 @@ Value check_experiment(ExperimentSource const& source) {
 }
 
 Value check_model(std::filesystem::path const& file) {
-    Model const model = read_gltf(file);
+    Model const model = read_model(file);
     Table materials, models;
     std::vector<std::string> instances, warnings = model.warnings;
+    if (!model.in_metres)
+        warnings.insert(warnings.begin(), file.string() +
+                                              ": does not say what its lengths are in: taken as "
+                                              "metres here; an experiment must give a length_unit");
     for (ModelMaterial const& material : model.materials) {
         char line[160];
         std::snprintf(line, sizeof line, "transmission %g, index %g, metallic %g, %s", material.transmission,

@@ -1,4 +1,4 @@
-// In: nothing. Out: what a model file holds, as plain data in metres, whatever its format: meshes in their
+// In: nothing. Out: what a model file holds, as plain data, whatever its format: meshes in their
 // own frames, materials, and instances that say where each mesh stands.
 #pragma once
 
@@ -60,6 +60,7 @@ struct Model {
     std::vector<ModelMaterial> materials;
     std::vector<ModelInstance> instances; // in the order of the file's tree of nodes
     std::vector<std::string> warnings;    // what a user should know: what was left out, and why
+    bool in_metres = true;                // false: the file does not say what its lengths are in
 };
 
 } // namespace sahl

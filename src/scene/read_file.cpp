@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 namespace sahl {
 
@@ -34,10 +33,12 @@ std::string file_text(std::filesystem::path const& path) {
         throw InputError(path.string(), "there is no such file", "check the path");
     if (!std::filesystem::is_regular_file(path, error))
         throw InputError(path.string(), "this is not a file", "name a file");
-    if (std::filesystem::file_size(path, error) > most || error)
-        throw InputError(path.string(), "this file has more than 1 GiB", "split it into several sources");
+    std::uintmax_t const size = std::filesystem::file_size(path, error);
+    if (error || size > most)
+        throw InputError(path.string(), "this file has more than 1 GiB", "split it");
     std::ifstream in(path, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(in), {});
+    std::string text(size, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(size));
     if (!in)
         throw InputError(path.string(), "this file cannot be read", "check its permissions");
     return text;

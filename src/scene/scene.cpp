@@ -1,7 +1,7 @@
 #include "scene/scene.h"
 
 #include "scene/model_body.h"
-#include "scene/read_gltf.h"
+#include "scene/read_model.h"
 
 #include "math/input_error.h"
 #include "math/nearest_name.h"
@@ -66,11 +66,7 @@ void Builder::add_detector(DetectorSpec const& detector, DetectorId id) {
 }
 
 void Builder::add_model(ObjectSpec const& object, ModelReference const& reference) {
-    std::string const ending = reference.path.extension().string();
-    if (ending != ".gltf" && ending != ".glb")
-        throw InputError(reference.place.text(), "the model " + reference.path.string() + " is not glTF",
-                         "this version reads .gltf and .glb; export the model as one of them");
-    Model const model = read_gltf(reference.path);
+    Model const model = read_model(reference.path);
     scene.models.push_back(reference.path.string());
     for (std::string const& warning : model.warnings)
         scene.warnings.push_back(object.name + ": " + warning);
