@@ -62,7 +62,10 @@ TEST_CASE(
     Run const run = run_of("glass-bunny", {"source.beam.beam.rays=500", "log.every=1"});
     std::vector<Triangle> const triangles = bunny_triangles();
     std::size_t hits = 0, misses = 0;
-    for (Segment const& root : run.segments)
+    double met = 0.0, returned = 0.0; // W, at first meetings
+    for (Segment const& root : run.segments) {
+        if (root.depth == 1 && root.born == Event::reflected)
+            returned += root.power_start;
         if (root.depth == 0) {
             double const distance = first_hit(triangles, root.origin, root.direction);
             if (std::isinf(distance)) {
@@ -71,9 +74,13 @@ TEST_CASE(
             } else { // glTF has coordinates as floats: 6e-8 of 0.1 m, and a slant of up to some hundred
                 CHECK(root.ended == Event::refracted);
                 CHECK(std::abs(root.length - distance) < 1e-6);
+                met += root.power_end;
                 ++hits;
             }
         }
+    }
+    double const n = index_of(run, "N-SF11"), least = (n - 1.0) / (n + 1.0); // at normal incidence
+    CHECK(returned > least * least * met);
     CHECK(hits > 300);
     CHECK(misses > 20);
     CHECK(number_at(run.summary, {"energy_W", "escaped"}) == 0.0);

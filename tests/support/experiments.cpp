@@ -50,9 +50,10 @@ std::map<std::string, std::vector<double>> read_sweep(fs::path const& file) {
 }
 
 bool has_bunny() {
-    if (fs::exists(fs::path(SAHL_SOURCE_DIR) / "models" / "bunny.glb"))
+    fs::path const models = fs::path(SAHL_SOURCE_DIR) / "models";
+    if (fs::exists(models / "bunny.glb") && fs::exists(models / "bunny.obj"))
         return true;
-    WARN("skipped: models/fetch_bunny.py has not brought models/bunny.glb");
+    WARN("skipped: models/fetch_bunny.py has not brought bunny.glb and bunny.obj");
     return false;
 }
 
