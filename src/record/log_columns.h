@@ -10,7 +10,7 @@
 
 namespace sahl {
 
-inline constexpr std::int32_t log_schema_version = 1;
+inline constexpr std::int32_t log_schema_version = 2;
 
 struct ColumnInfo {
     char const* name;

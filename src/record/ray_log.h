@@ -2,6 +2,7 @@
 // The layout is described in docs/ray-log.md; columns and codes are those of the contract.
 #pragma once
 
+#include "record/log_block.h"
 #include "trace/segment.h"
 
 #include <array>
@@ -22,6 +23,8 @@ struct LogHeader {
     std::string options_json;    // what was run, with --set and all options
     std::string experiment_sha256;
     std::uint64_t seed = 0;
+    std::uint64_t every = 1; // rays whose number is a multiple of this are in the log
+    double min_power = 0.0;  // what began with less than this share of its ray's power is not in the log
     std::vector<std::string> sources;
     std::vector<double> source_power_W;
     std::vector<std::uint64_t>
@@ -33,14 +36,36 @@ struct LogHeader {
     std::vector<double> refractive_index; // row-major [medium][wavelength]
 };
 
-/// Writes rays.h5 under a temporary name beside `file`; close() syncs and renames it. Destroyed unclosed, it
-/// removes what it wrote. The same rows give the same bytes, in whatever portions they come.
+struct RayLogOptions {
+    bool compress = false; // shuffle and deflate, which every HDF5 undoes
+    std::uint64_t shard_rows = std::uint64_t{256} * chunk_rows; // in one file; see whole_chunks
+};
+
+/// The least multiple of chunk_rows from this number of rows on.
+constexpr std::uint64_t whole_chunks(std::uint64_t rows) {
+    return (rows + chunk_rows - 1) / chunk_rows * chunk_rows;
+}
+
+/// Writes rays.h5 under a temporary name beside `file`; close() syncs and renames it. A log longer than
+/// shard_rows becomes a folder of shards beside `file`, each closed, synced and renamed as soon as it is
+/// full, and `file` shows them as one. Destroyed unclosed, it removes what it wrote. The same rows give the
+/// same bytes, in whatever portions they come.
 class RayLogWriter {
   public:
-    RayLogWriter(std::filesystem::path file, LogHeader const& header);
+    RayLogWriter(std::filesystem::path file, LogHeader const& header, RayLogOptions const& options = {});
     RayLogWriter(RayLogWriter&&) noexcept;
     ~RayLogWriter();
+
+    /// A batch of rays passes through four hands: block() takes its segments, and place(), pack() and write()
+    /// pass it on. Batches may be in block() and pack() at once; place() and write() must get one after
+    /// another, in the order of rays.
+    LogBlock block() const;
+    std::vector<LogChunk> place(LogBlock block);
+    void pack(std::vector<LogChunk>& chunks) const;
+    void write(std::vector<LogChunk> chunks);
+    /// All four at once.
     void append(std::span<Segment const> segments);
+
     void close();
 
   private:

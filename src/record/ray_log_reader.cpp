@@ -2,6 +2,8 @@
 // as an index.
 #include "record/hdf5_file.h"
 #include "record/log_columns.h"
+#include "record/log_file.h"
+#include "record/log_header.h"
 #include "record/ray_log.h"
 
 #include <algorithm>
@@ -15,37 +17,14 @@ namespace {
 constexpr std::size_t portion_rows = 65536; // read at once: 0.5 MiB a column
 constexpr char const* remedy_of_reading = "trace again with log = true, or give a rays.h5 that is whole";
 
-LogHeader read_header(Must const& must, hid_t file) {
-    std::int32_t version = 0;
-    read_attribute(must, file, "schema_version", type_of<std::int32_t>(), &version);
-    if (version != log_schema_version)
-        must.fail("its schema_version is " + std::to_string(version) + ", this program reads " +
-                  std::to_string(log_schema_version));
-    LogHeader header;
-    header.program = read_text(must, file, "program");
-    header.title = read_text(must, file, "title");
-    header.experiment_text = read_text(must, file, "experiment");
-    header.experiment_sha256 = read_text(must, file, "experiment_sha256");
-    header.options_json = read_text(must, file, "options");
-    read_attribute(must, file, "seed", type_of<std::uint64_t>(), &header.seed);
-    header.sources = read_names(must, file, "sources/name");
-    std::size_t const sources = header.sources.size();
-    header.source_power_W = read_numbers<double>(must, file, "sources/power_W", sources);
-    header.source_first_ray = read_numbers<std::uint64_t>(must, file, "sources/first_ray", sources);
-    std::uint64_t& rays = header.source_first_ray.emplace_back();
-    read_attribute(must, file, "rays", type_of<std::uint64_t>(), &rays);
-    if (!std::is_sorted(header.source_first_ray.begin(), header.source_first_ray.end()))
-        must.fail("/sources/first_ray does not increase up to the number of rays");
-    header.surfaces = read_names(must, file, "surfaces/name");
-    header.media = read_names(must, file, "media/name");
-    header.models = read_names(must, file, "models/path");
-    std::size_t const wavelengths = open_table(must, file, "wavelengths_nm").values;
-    header.wavelengths_m = read_numbers<double>(must, file, "wavelengths_nm", wavelengths);
-    for (double& wavelength : header.wavelengths_m)
-        wavelength = from_nm(wavelength);
-    header.refractive_index =
-        read_numbers<double>(must, file, "media/refractive_index", header.media.size() * wavelengths);
-    return header;
+Handle open_file(Must const& must) {
+    prepare_library();
+    std::error_code ignored;
+    if (!std::filesystem::exists(must.file, ignored))
+        must.fail("there is no such file");
+    if (must(H5Fis_hdf5(must.file.c_str()), "open it") == 0)
+        must.fail("it is not an HDF5 file");
+    return {must(H5Fopen(must.file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open it"), H5Fclose};
 }
 
 /// Opens a column and returns it with its rows. A chunk that is missing would read as zeros: count them.
@@ -70,21 +49,54 @@ std::pair<Handle, hsize_t> open_column(Must const& must, hid_t file, char const*
 } // namespace
 
 struct RayLogReader::State {
-    Must must;
-    Handle file;
+    /// A file that has rows: a shard, or the log itself. Opened when it is first asked.
+    struct Part {
+        Must must;
+        hsize_t first_row = 0, rows = 0;
+        std::uint64_t first_ray = 0;
+        Handle file;
+        std::vector<Handle> columns; // the first is `ray`
+
+        Part(std::filesystem::path const& path, hsize_t first, hsize_t count = 0, std::uint64_t ray = 0)
+            : must{path.string(), remedy_of_reading}, first_row(first), rows(count), first_ray(ray) {}
+        hsize_t open(Handle from);
+        template <class T>
+        void read_column(hid_t column, hsize_t first, std::vector<T>& values) const;
+        void read(hsize_t first, std::span<Segment> segments) const;
+    };
+
     LogHeader header;
-    std::vector<Handle> columns; // the first is `ray`
+    mutable std::vector<Part> parts;
     hsize_t rows = 0;
 
-    template <class T>
-    void read_column(hid_t column, hsize_t first, std::vector<T>& values) const;
+    void open(std::filesystem::path const& path);
+    Part const& opened(std::size_t part) const;
+    Part const& part_of(hsize_t row) const;
     std::uint64_t ray_of(hsize_t row) const;
     hsize_t first_row_from(std::uint64_t ray) const;
-    void read_rows(hsize_t first, std::span<Segment> segments) const;
+    void check(hsize_t first, std::span<Segment> segments) const;
 };
 
+/// Opens the columns and returns their rows.
+hsize_t RayLogReader::State::Part::open(Handle from) {
+    file = std::move(from);
+    hsize_t found = 0;
+    WavelengthInNm unused;
+    visit_columns(unused, [&](ColumnInfo info, auto get, auto) {
+        using T = Stored<decltype(get(Segment{}))>;
+        auto [column, length] = open_column(must, file, info.name, type_of<T>());
+        if (!columns.empty() && length != found)
+            must.fail(std::string("the column /segments/") + info.name + " is not as long as the others");
+        found = length;
+        columns.push_back(std::move(column));
+    });
+    if (rows != 0 && rows != found)
+        must.fail("it has " + std::to_string(found) + " rows where the log says " + std::to_string(rows));
+    return rows = found;
+}
+
 template <class T>
-void RayLogReader::State::read_column(hid_t column, hsize_t first, std::vector<T>& values) const {
+void RayLogReader::State::Part::read_column(hid_t column, hsize_t first, std::vector<T>& values) const {
     hsize_t const count = values.size();
     Handle const in_file(H5Dget_space(column), H5Sclose),
         in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
@@ -92,15 +104,60 @@ void RayLogReader::State::read_column(hid_t column, hsize_t first, std::vector<T
     must(H5Dread(column, type_of<T>(), in_memory, in_file, H5P_DEFAULT, values.data()), "read rows");
 }
 
+/// first   counted from the beginning of this part
+void RayLogReader::State::Part::read(hsize_t first, std::span<Segment> segments) const {
+    auto column = columns.begin();
+    WavelengthInNm unused;
+    visit_columns(unused, [&](ColumnInfo, auto get, auto set) {
+        std::vector<Stored<decltype(get(Segment{}))>> values(segments.size());
+        read_column(*column++, first, values);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            set(segments[i], values[i]);
+    });
+}
+
+void RayLogReader::State::open(std::filesystem::path const& path) {
+    Must const must{path.string(), remedy_of_reading};
+    Handle file = open_file(must);
+    header = read_header(must, file);
+    std::vector<LogShard> const shards = read_shards(must, file);
+    if (shards.empty())
+        rows = parts.emplace_back(path, 0).open(std::move(file));
+    for (LogShard const& shard : shards) {
+        if (shard.rows == 0 || shard.rows > INT64_MAX - rows)
+            must.fail("/shards has a file of so many rows as cannot be: " + shard.name);
+        if (std::filesystem::path(shard.name).is_absolute() || shard.name.find("..") != std::string::npos)
+            must.fail("/shards names a file that is not beside it: " + shard.name);
+        parts.emplace_back(path.parent_path() / shard.name, rows, shard.rows, shard.first_ray);
+        rows += shard.rows;
+    }
+}
+
+RayLogReader::State::Part const& RayLogReader::State::opened(std::size_t number) const {
+    Part& part = parts[number];
+    if (part.columns.empty())
+        part.open(open_file(part.must));
+    return part;
+}
+
+RayLogReader::State::Part const& RayLogReader::State::part_of(hsize_t row) const {
+    auto const after = std::upper_bound(parts.begin(), parts.end(), row,
+                                        [](hsize_t r, Part const& part) { return r < part.first_row; });
+    return opened(static_cast<std::size_t>(after - parts.begin()) - 1);
+}
+
 std::uint64_t RayLogReader::State::ray_of(hsize_t row) const {
+    Part const& part = part_of(row);
     std::vector<std::uint64_t> value(1);
-    read_column(columns.front(), row, value);
+    part.read_column(part.columns.front(), row - part.first_row, value);
     return value.front();
 }
 
 /// The first row whose ray is this one or a later one; rows are in the order of rays.
 hsize_t RayLogReader::State::first_row_from(std::uint64_t ray) const {
-    hsize_t low = 0, high = rows;
+    auto const after = std::partition_point(parts.begin() + 1, parts.end(),
+                                            [&](Part const& part) { return part.first_ray < ray; });
+    hsize_t low = (after - 1)->first_row, high = low + (after - 1)->rows;
     while (low < high) {
         hsize_t const middle = low + (high - low) / 2;
         if (ray_of(middle) < ray)
@@ -111,23 +168,15 @@ hsize_t RayLogReader::State::first_row_from(std::uint64_t ray) const {
     return low;
 }
 
-void RayLogReader::State::read_rows(hsize_t first, std::span<Segment> segments) const {
-    auto column = columns.begin();
-    WavelengthInNm unused;
-    visit_columns(unused, [&](ColumnInfo, auto get, auto set) {
-        std::vector<Stored<decltype(get(Segment{}))>> values(segments.size());
-        read_column(*column++, first, values);
-        for (std::size_t i = 0; i < values.size(); ++i)
-            set(segments[i], values[i]);
-    });
+void RayLogReader::State::check(hsize_t first, std::span<Segment> segments) const {
     auto const last_event = static_cast<Event>(event_names.size() - 1);
     for (std::size_t i = 0; i < segments.size(); ++i) {
         Segment& s = segments[i];
         if (s.born > last_event || s.ended > last_event || s.medium >= header.media.size() ||
             s.surface < -1 ||
             (s.surface >= 0 && static_cast<std::size_t>(s.surface) >= header.surfaces.size()))
-            must.fail("row " + std::to_string(first + i) +
-                      " has an event, surface or medium that nothing names");
+            part_of(first).must.fail("row " + std::to_string(first + i) +
+                                     " has an event, surface or medium that nothing names");
         auto const& starts = header.source_first_ray; // the last entry is the number of rays
         auto const next = std::upper_bound(starts.begin(), starts.end() - 1, s.ray);
         s.source = static_cast<std::uint16_t>(std::max<std::ptrdiff_t>(next - starts.begin(), 1) - 1);
@@ -135,27 +184,12 @@ void RayLogReader::State::read_rows(hsize_t first, std::span<Segment> segments) 
 }
 
 RayLogReader::RayLogReader(std::filesystem::path const& path) : state_(std::make_unique<State>()) {
-    prepare_library();
-    State& log = *state_;
     std::error_code ignored;
     bool const folder = std::filesystem::is_directory(path, ignored);
     std::filesystem::path const file = folder ? path / "rays.h5" : path;
-    log.must = {file.string(), remedy_of_reading};
-    if (!std::filesystem::exists(file, ignored))
-        log.must.fail(folder ? "this run has no ray log" : "there is no such file");
-    if (log.must(H5Fis_hdf5(file.c_str()), "open it") == 0)
-        log.must.fail("it is not an HDF5 file");
-    log.file = Handle(log.must(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open it"), H5Fclose);
-    log.header = read_header(log.must, log.file);
-    WavelengthInNm unused;
-    visit_columns(unused, [&](ColumnInfo info, auto get, auto) {
-        using T = Stored<decltype(get(Segment{}))>;
-        auto [column, rows] = open_column(log.must, log.file, info.name, type_of<T>());
-        if (!log.columns.empty() && rows != log.rows)
-            log.must.fail(std::string("the column /segments/") + info.name + " is not as long as the others");
-        log.rows = rows;
-        log.columns.push_back(std::move(column));
-    });
+    if (folder && !std::filesystem::exists(file, ignored))
+        Must{file.string(), remedy_of_reading}.fail("this run has no ray log");
+    state_->open(file);
 }
 
 RayLogReader::RayLogReader(RayLogReader&&) noexcept = default;
@@ -177,8 +211,13 @@ std::vector<Segment> RayLogReader::read(std::uint64_t first, std::uint64_t count
     first = std::min(first, rows());
     std::vector<Segment> segments(std::min(count, rows() - first));
     for (std::size_t done = 0; done < segments.size();) {
-        std::size_t const portion = std::min(segments.size() - done, portion_rows);
-        state_->read_rows(first + done, std::span(segments).subspan(done, portion));
+        State::Part const& part = state_->part_of(first + done);
+        std::uint64_t const at = first + done - part.first_row;
+        std::size_t const portion =
+            std::min({segments.size() - done, portion_rows, static_cast<std::size_t>(part.rows - at)});
+        auto const rows = std::span(segments).subspan(done, portion);
+        part.read(at, rows);
+        state_->check(first + done, rows);
         done += portion;
     }
     return segments;

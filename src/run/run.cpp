@@ -36,6 +36,8 @@ LogHeader log_header(ExperimentSource const& source, Experiment const& experimen
     header.options_json = to_json(options_of(experiment, facts));
     header.experiment_sha256 = facts.experiment_sha256;
     header.seed = experiment.trace.seed;
+    header.every = experiment.log.every;
+    header.min_power = experiment.log.min_power;
     for (SourceSpec const& spec : scene.sources) {
         header.sources.push_back(spec.name);
         header.source_power_W.push_back(spec.power);
@@ -90,12 +92,12 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
 
     std::optional<RayLogWriter> log;
     bool const writes = !folder.empty();
-    if (options.log_file)
-        log.emplace(*options.log_file, log_header(source, experiment, run.scene, optics, emission, facts));
-    else if (experiment.log.on && writes)
-        log.emplace(folder / "rays.h5", log_header(source, experiment, run.scene, optics, emission, facts));
+    if (options.log_file || (experiment.log.on && writes))
+        log.emplace(options.log_file.value_or(folder / "rays.h5"),
+                    log_header(source, experiment, run.scene, optics, emission, facts),
+                    RayLogOptions{experiment.log.compress, whole_chunks(experiment.log.shard_rows)});
     TraceOutcome const outcome = trace_scene(run.scene, optics, emission, experiment.trace, options.threads,
-                                             log ? &*log : nullptr, experiment.log.every, options.progress);
+                                             log ? &*log : nullptr, experiment.log, options.progress);
     if (log)
         log->close();
     run.summary = summary_of(experiment, run.scene, optics, outcome, facts);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// What a run writes; everything else in its folder is the user's.
-constexpr std::array<std::string_view, 6> written{"summary.json", "rays.h5",   "report.html",
+constexpr std::array<std::string_view, 7> written{"summary.json", "rays.h5",   "rays.shards", "report.html",
                                                   "sweep.csv",    "detectors", "runs"};
 
 bool is_written(fs::path const& name) {

@@ -199,6 +199,7 @@ Value options_of(Experiment const& experiment, RunFacts const& facts) {
                     {"tolerance_power", of(trace.tolerance_power)},
                     {"log", of(experiment.log.on)},
                     {"log_every", of(experiment.log.every)},
+                    {"log_min_power", of(experiment.log.min_power)},
                     {"limit_leak", of(experiment.limits.leak)},
                     {"limit_ledger", of(experiment.limits.ledger)},
                     {"set", of(facts.set)}});

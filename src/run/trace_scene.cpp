@@ -7,12 +7,20 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace sahl {
 
 namespace {
 
 constexpr std::size_t lost_rays_named = 20; // in the summary; all are counted
+
+/// A batch on its way: what became of it, and its rows where there is a log.
+struct Traced {
+    std::optional<BatchResult> result;
+    std::optional<LogBlock> rows;
+};
+using Chunks = std::vector<LogChunk>;
 
 } // namespace
 
@@ -22,10 +30,11 @@ SumUnit power_unit(Emission const& emission) {
 
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
                          TraceOptions const& options, unsigned threads, RayLogWriter* log,
-                         std::uint64_t log_every, Progress const& progress) {
+                         LogOptions const& logged, Progress const& progress) {
     auto const start = std::chrono::steady_clock::now();
     SumUnit const unit = power_unit(emission);
-    TraceContext const context{scene, optics, emission, options, unit, log ? log_every : 0};
+    TraceContext const context{scene,           optics, emission, options, unit, log ? logged.every : 0,
+                               logged.min_power};
     TraceOutcome outcome{Tally(unit, scene.bodies.size(), scene.faces.size(), optics.wavelengths().size()),
                          {},
                          {},
@@ -46,30 +55,42 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
     };
     auto const trace = [&](std::uint64_t batch) {
         std::uint64_t const first = batch * rays_per_batch;
-        return std::make_shared<BatchResult>(
-            trace_batch(context, first, std::min(rays_per_batch, emission.rays() - first)));
+        Traced traced;
+        if (log)
+            traced.rows.emplace(log->block());
+        traced.result.emplace(trace_batch(context, first, std::min(rays_per_batch, emission.rays() - first),
+                                          log ? &*traced.rows : nullptr));
+        return std::make_shared<Traced>(std::move(traced));
     };
-    auto const record = [&](std::shared_ptr<BatchResult> const& result) { // in the order of batches
-        outcome.tally.add(result->tally);
-        for (DetectorHit const& hit : result->hits)
+    auto const record = [&](std::shared_ptr<Traced> const& traced) { // in the order of batches
+        outcome.tally.add(traced->result->tally);
+        for (DetectorHit const& hit : traced->result->hits)
             outcome.detectors[hit.detector.value].add(hit);
-        for (LostRay const& ray : result->lost)
+        for (LostRay const& ray : traced->result->lost)
             if (outcome.lost.size() < lost_rays_named)
                 outcome.lost.push_back(ray);
-        if (log)
-            log->append(result->log.segments);
         rays_done = std::min(rays_done + rays_per_batch, emission.rays());
         if (progress)
             progress(rays_done, emission.rays());
+        return log ? std::make_shared<Chunks>(log->place(std::move(*traced->rows))) : nullptr;
     };
-    arena.execute([&] {
-        using tbb::filter_mode;
-        tbb::parallel_pipeline(
-            std::size_t{4} * outcome.threads,
-            tbb::make_filter<void, std::uint64_t>(filter_mode::serial_in_order, number) &
-                tbb::make_filter<std::uint64_t, std::shared_ptr<BatchResult>>(filter_mode::parallel, trace) &
-                tbb::make_filter<std::shared_ptr<BatchResult>, void>(filter_mode::serial_in_order, record));
-    });
+    auto const pack = [&](std::shared_ptr<Chunks> chunks) {
+        log->pack(*chunks);
+        return chunks;
+    };
+    auto const write = [&](std::shared_ptr<Chunks> const& chunks) { log->write(std::move(*chunks)); };
+    using tbb::filter_mode;
+    using tbb::make_filter;
+    auto const traced = make_filter<void, std::uint64_t>(filter_mode::serial_in_order, number) &
+                        make_filter<std::uint64_t, std::shared_ptr<Traced>>(filter_mode::parallel, trace);
+    auto const recorded =
+        make_filter<std::shared_ptr<Traced>, std::shared_ptr<Chunks>>(filter_mode::serial_in_order, record);
+    auto const kept =
+        log ? make_filter<std::shared_ptr<Chunks>, std::shared_ptr<Chunks>>(filter_mode::parallel, pack) &
+                  make_filter<std::shared_ptr<Chunks>, void>(filter_mode::serial_in_order, write)
+            : make_filter<std::shared_ptr<Chunks>, void>(filter_mode::parallel, [](auto const&) {});
+    arena.execute(
+        [&] { tbb::parallel_pipeline(std::size_t{4} * outcome.threads, traced & recorded & kept); });
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

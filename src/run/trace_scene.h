@@ -24,10 +24,11 @@ struct TraceOutcome {
 using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
 /// The same result, bit for bit, for any number of threads (0: all there are).
-///   log   where segments go, or nullptr
+///   log      where segments go, or nullptr
+///   logged   which of them do
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
                          TraceOptions const& options, unsigned threads, RayLogWriter* log,
-                         std::uint64_t log_every, Progress const& progress);
+                         LogOptions const& logged, Progress const& progress);
 
 /// The unit in which the powers of this emission are summed.
 SumUnit power_unit(Emission const& emission);

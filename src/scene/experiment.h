@@ -118,8 +118,10 @@ struct TraceOptions {
 struct LogOptions {
     bool on = false;
     std::uint64_t every = 1;
+    double min_power = 0.0; // share of the ray's power
     std::string where;
     bool compress = false;
+    std::uint64_t shard_rows = 4194304;
 };
 
 struct Limits {

@@ -53,7 +53,18 @@ constexpr Key trace_keys[] = {
 constexpr Key log_keys[] = {
     {"every", Kind::integer, 1.0, "each N-th ray is written", {1.0, largest_seed}},
     {"where", Kind::text, "", "a filter; none but the empty one in this version"},
-    {"compress", Kind::truth, false, "true is refused in this version"},
+    {"min_power",
+     Kind::number,
+     0.0,
+     "pieces that begin with less than this share of their ray's power are not written",
+     {0.0, 1.0}},
+    {"compress", Kind::truth, false, "shuffled and deflated, which every reader of HDF5 undoes by itself"},
+    {"shard_rows",
+     Kind::integer,
+     4194304.0,
+     "rows in one file, rounded up to whole chunks of 16384; a longer log is a folder of such files, which "
+     "rays.h5 shows as one",
+     {1.0, 1e12}},
 };
 
 constexpr Key limits_keys[] = {
@@ -107,7 +118,8 @@ constexpr Key background_keys[] = {
 
 KeyTable const keys::experiment{"the experiment", "The top of the file.", experiment_keys};
 KeyTable const keys::trace{"[trace]", "How rays are followed.", trace_keys};
-KeyTable const keys::log{"[log]", "Thins out the log that `log = true` in [trace] asks for.", log_keys};
+KeyTable const keys::log{"[log]", "What goes into the log that `log = true` in [trace] asks for, and how.",
+                         log_keys};
 KeyTable const keys::limits{"[limits]", "When a check of the physics fails.", limits_keys};
 KeyTable const keys::group{
     "[[group]]",

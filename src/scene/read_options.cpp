@@ -95,13 +95,12 @@ LogOptions read_log(Value const& tree) {
     log.on = trace.truth("log");
     log.every = static_cast<std::uint64_t>(fields.integer("every"));
     log.where = fields.text("where");
+    log.min_power = fields.number("min_power");
     log.compress = fields.truth("compress");
+    log.shard_rows = static_cast<std::uint64_t>(fields.integer("shard_rows"));
     if (!log.where.empty())
         throw InputError(fields.place("where").text(), "this version cannot filter what it logs",
                          "leave `where` out; `every` thins the log");
-    if (log.compress)
-        throw InputError(fields.place("compress").text(), "this version cannot compress its log",
-                         "give compress = false");
     return log;
 }
 

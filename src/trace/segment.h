@@ -6,6 +6,7 @@
 #include "trace/event.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace sahl {
@@ -29,10 +30,22 @@ struct Segment {
     double power_start = 0.0, power_end = 0.0; // W, before and after absorption on the way
 };
 
-/// A stretch of rays with consecutive numbers, all their segments in the order of the log: by ray, then by
-/// index.
-struct SegmentBatch {
+/// Takes the segments of rays with consecutive numbers, portion by portion in the order of the log: by ray,
+/// then by index.
+class SegmentSink {
+  public:
+    virtual void take(std::span<Segment const> segments) = 0;
+
+  protected:
+    ~SegmentSink() = default;
+};
+
+/// Keeps them all.
+struct SegmentBatch final : SegmentSink {
     std::vector<Segment> segments;
+    void take(std::span<Segment const> more) override {
+        segments.insert(segments.end(), more.begin(), more.end());
+    }
 };
 
 } // namespace sahl

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sahl {
 
@@ -21,7 +22,8 @@ bool finite(dvec3 const& v) {
 /// The trees of a group of rays, grown breadth first.
 class Grove {
   public:
-    Grove(TraceContext const& context, BatchResult& result) : context_(context), result_(result) {}
+    Grove(TraceContext const& context, BatchResult& result, SegmentSink& log)
+        : context_(context), result_(result), log_(log) {}
 
     void grow(std::uint64_t first, std::uint32_t count);
 
@@ -37,14 +39,17 @@ class Grove {
     void end(Branch const& branch, Event ended, double power, double length, double optical_path,
              Interface const* interface);
     void lose(Branch const& branch, Event event, double power, double t);
+    void log_by_ray();
 
     TraceContext const& context_;
     BatchResult& result_;
+    SegmentSink& log_;
     std::uint64_t first_ = 0;
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
     std::vector<Branch> generation_, next_generation_;
-    std::vector<Segment> segments_;
+    std::vector<Segment> segments_, by_ray_; // as they end; as the log has them
+    std::vector<std::size_t> place_;         // by ray: where its next segment stands in by_ray_
 };
 
 void Grove::grow(std::uint64_t first, std::uint32_t count) {
@@ -57,12 +62,21 @@ void Grove::grow(std::uint64_t first, std::uint32_t count) {
         next_generation_.clear();
     }
     // generations lie one after another: put each ray's pieces together, their order kept
-    auto const by_ray = [](auto const& a, auto const& b) { return a.ray < b.ray; };
     std::stable_sort(result_.hits.begin() + static_cast<std::ptrdiff_t>(hits_before), result_.hits.end(),
-                     by_ray);
-    std::stable_sort(segments_.begin(), segments_.end(), by_ray);
-    auto& log = result_.log.segments;
-    log.insert(log.end(), segments_.begin(), segments_.end());
+                     [](DetectorHit const& a, DetectorHit const& b) { return a.ray < b.ray; });
+    if (!segments_.empty())
+        log_by_ray();
+}
+
+void Grove::log_by_ray() {
+    place_.assign(rays_.size() + 1, 0);
+    for (Segment const& segment : segments_)
+        ++place_[segment.ray - first_ + 1];
+    std::partial_sum(place_.begin(), place_.end(), place_.begin());
+    by_ray_.resize(std::max(by_ray_.size(), segments_.size()));
+    for (Segment const& segment : segments_)
+        by_ray_[place_[segment.ray - first_]++] = segment;
+    log_.take(std::span(by_ray_).first(segments_.size()));
     segments_.clear();
 }
 
@@ -239,6 +253,8 @@ void Grove::end(Branch const& branch, Event ended, double power, double length, 
     if (context_.log_every == 0 || number % context_.log_every != 0)
         return;
     Ray const& ray = rays_[branch.ray];
+    if (branch.power < context_.log_min_power * ray.power)
+        return;
     Segment& segment = segments_.emplace_back();
     segment.ray = number;
     segment.index = index;
@@ -261,13 +277,14 @@ void Grove::end(Branch const& branch, Event ended, double power, double length, 
 
 } // namespace
 
-BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count) {
+BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count,
+                        SegmentSink* sink) {
     BatchResult result{Tally(context.unit, context.scene.bodies.size(), context.scene.faces.size(),
                              context.optics.wavelengths().size()),
                        {},
                        {},
                        {}};
-    Grove grove(context, result);
+    Grove grove(context, result, sink != nullptr ? *sink : result.log);
     for (std::uint64_t done = 0; done < count; done += rays_together)
         grove.grow(first + done,
                    static_cast<std::uint32_t>(std::min<std::uint64_t>(rays_together, count - done)));

@@ -38,7 +38,7 @@ struct BatchResult {
     Tally tally;
     std::vector<DetectorHit> hits; // by ray, then in the order of the tree
     std::vector<LostRay> lost;
-    SegmentBatch log; // empty unless asked for
+    SegmentBatch log; // empty unless asked for, or where a sink took the segments
 };
 
 /// What tracing needs to know, all by reference; nothing is changed.
@@ -49,11 +49,14 @@ struct TraceContext {
     TraceOptions const& options;
     SumUnit unit;
     std::uint64_t log_every = 0; // 0: no log; 1: every ray; n: each n-th
+    double log_min_power = 0.0;  // share of the ray's power; what begins with less is not logged
 };
 
 inline constexpr std::uint64_t rays_per_batch = 4096;
 
 /// Rays [first, first + count). The result does not depend on how rays are grouped into calls.
-BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count);
+/// sink   takes the segments that are logged, if given, as soon as their trees are complete
+BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count,
+                        SegmentSink* sink = nullptr);
 
 } // namespace sahl

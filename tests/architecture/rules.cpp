@@ -35,7 +35,7 @@ struct Library {
     std::string_view door; // empty: any file
 };
 
-std::array<Library, 13> const libraries{{{"GLM", {"glm/"}, "math/vec.h"},
+std::array<Library, 14> const libraries{{{"GLM", {"glm/"}, "math/vec.h"},
                                          {"OpenImageIO", {"OpenImageIO/"}, "image/image.cpp"},
                                          {"OpenMesh", {"OpenMesh/"}, "geometry/mesh"},
                                          {"Embree", {"embree3/", "embree4/"}, "geometry/embree/"},
@@ -44,6 +44,7 @@ std::array<Library, 13> const libraries{{{"GLM", {"glm/"}, "math/vec.h"},
                                          {"toml++", {"toml++/"}, "scene/toml_door.cpp"},
                                          {"nlohmann-json", {"nlohmann/"}, "scene/json_door.cpp"},
                                          {"HDF5", {"hdf5", "H5"}, "record/hdf5_file"},
+                                         {"libdeflate", {"libdeflate.h"}, "record/log_compress.cpp"},
                                          {"TBB", {"tbb/", "oneapi/"}, "run/"},
                                          {"OpenSSL", {"openssl/"}, "run/sha256.cpp"},
                                          {"CLI11", {"CLI/"}, "cli/"},

@@ -57,11 +57,11 @@ TEST_CASE("a broken ray log is bad input that names the file and what is wrong")
         std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
     }
     SECTION("another schema version") {
-        expected = "its schema_version is 2, this program reads 1";
+        expected = "its schema_version is 3, this program reads 2";
         change(file, [](hid_t log) {
             hdf5::Handle const version(H5Aopen(log, "schema_version", H5P_DEFAULT), H5Aclose);
-            int const two = 2;
-            REQUIRE(H5Awrite(version, H5T_NATIVE_INT, &two) >= 0);
+            int const three = 3;
+            REQUIRE(H5Awrite(version, H5T_NATIVE_INT, &three) >= 0);
         });
     }
     SECTION("no schema version") {

@@ -7,7 +7,7 @@
 
 using namespace sahl;
 
-TEST_CASE("h5py reads names and sums from the ray log") {
+TEST_CASE("h5py reads names and sums from the ray log, whole, compressed and in shards") {
     if (std::system("/usr/bin/python3 -c 'import h5py' > /dev/null 2>&1") != 0) {
         WARN("skipped: no /usr/bin/python3 with h5py");
         return;
@@ -24,7 +24,9 @@ TEST_CASE("h5py reads names and sums from the ray log") {
             ended_on += (ended_on.empty() ? "" : "|") +
                         (s.surface < 0 ? "-" : header.surfaces[static_cast<std::size_t>(s.surface)]);
     }
-    auto const file = sample::write(folder, rows);
+    auto const options = GENERATE(RayLogOptions{}, RayLogOptions{true}, RayLogOptions{false, 2 * chunk_rows},
+                                  RayLogOptions{true, chunk_rows});
+    auto const file = sample::write(folder, rows, SIZE_MAX, "rays.h5", options);
     auto const answer = folder.path / "answer.txt";
     std::string const command = "PYTHONIOENCODING=utf-8 /usr/bin/python3 '" SAHL_SOURCE_DIR
                                 "/tests/record/read_with_h5py.py' '" +

@@ -12,7 +12,7 @@ with h5py.File(sys.argv[1], "r") as log:
     rows = segments["ray"].shape[0]
     assert all(column.shape == (rows,) for column in segments.values())
     assert all("unit" in column.attrs and "meaning" in column.attrs for column in segments.values())
-    assert log.attrs["schema_version"] == 1 and isinstance(log.attrs["experiment"], str)
+    assert log.attrs["schema_version"] == 2 and isinstance(log.attrs["experiment"], str)
     roots = segments["parent"][:] == -1
     power = np.sum(segments["power_start_W"][:][roots])
     names = log["surfaces/name"].asstr()[:]

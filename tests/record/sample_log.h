@@ -86,8 +86,9 @@ inline std::vector<sahl::Segment> rows(std::size_t rays, std::uint64_t stride = 
 }
 
 inline std::filesystem::path write(Folder const& folder, std::vector<sahl::Segment> const& rows,
-                                   std::size_t portion = SIZE_MAX, char const* name = "rays.h5") {
-    sahl::RayLogWriter log(folder.path / name, header());
+                                   std::size_t portion = SIZE_MAX, char const* name = "rays.h5",
+                                   sahl::RayLogOptions const& options = {}) {
+    sahl::RayLogWriter log(folder.path / name, header(), options);
     for (std::size_t done = 0; done < rows.size();) {
         std::size_t const count = std::min(portion, rows.size() - done);
         log.append(std::span(rows).subspan(done, count));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <unistd.h>
 
 using namespace sahl;
@@ -16,6 +17,18 @@ std::string bytes_of(std::filesystem::path const& file) {
     std::ifstream in(file, std::ios::binary);
     REQUIRE(in.good());
     return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// All files of the log, one after another.
+std::string bytes_of_log(std::filesystem::path const& folder) {
+    std::string bytes = bytes_of(folder / "rays.h5");
+    std::set<std::filesystem::path> shards;
+    if (std::filesystem::exists(folder / "rays.shards"))
+        for (auto const& entry : std::filesystem::directory_iterator(folder / "rays.shards"))
+            shards.insert(entry.path());
+    for (auto const& shard : shards)
+        bytes += shard.filename().string() + bytes_of(shard);
+    return bytes;
 }
 
 /// summary.json without what is allowed to differ.
@@ -46,11 +59,11 @@ void check_same_bytes(std::filesystem::path const& file, std::vector<std::string
         RunResult const result = run_experiment(load_experiment(file, set), options);
         CHECK(result.failures.empty());
         if (threads == 1) {
-            log = bytes_of(out / "rays.h5");
+            log = bytes_of_log(out);
             summary = without_times(bytes_of(out / "summary.json"));
             CHECK(log.size() > 1000000);
         } else {
-            CHECK(bytes_of(out / "rays.h5") == log);
+            CHECK((bytes_of_log(out) == log));
             CHECK(without_times(bytes_of(out / "summary.json")) == summary);
         }
     }
@@ -71,4 +84,9 @@ TEST_CASE("one, two and seven threads write the same bytes, drawing branches and
     check_same_bytes(experiment("mesh-lens"),
                      {"source.left beam.beam.rays=10000", "source.left beam.beam.pattern=random",
                       "source.right beam.beam.rays=9000", "trace.branch=roulette", "trace.log=true"});
+}
+
+TEST_CASE("one, two and seven threads write the same bytes, compressed and in shards") {
+    check_same_bytes(experiment("ball-lens"), {"source.beam.beam.rays=20000", "trace.log=true",
+                                               "log.compress=true", "log.shard_rows=16384"});
 }

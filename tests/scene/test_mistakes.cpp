@@ -241,7 +241,7 @@ std::vector<Mistake> mistakes() {
          "[trace]\npolarised = true\n",
          {"polarised tracing does not exist yet", "auto"}},
         {"a filter of the log", 2, "[log]\nwhere = \"hits(a)\"\n", {"cannot filter"}},
-        {"a compressed log", 2, "[log]\ncompress = true\n", {"cannot compress"}},
+        {"a floor above all power", 2, "[log]\nmin_power = 1.5\n", {"min_power"}},
         {"a log of no ray", 2, "[log]\nevery = 0\n", {"'every' in [log] is 0"}},
         {"a sweep over a key that does not exist",
          5,
