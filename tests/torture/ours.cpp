@@ -1,0 +1,242 @@
+// In: a scene of the torture suite. Out: Sahl's own ways through it.
+#include "torture/ours.h"
+
+#include "scene/interface.h"
+
+namespace sahl::bench {
+
+namespace {
+
+std::size_t faces_of(TorturePart const& part) {
+    auto const* mesh = std::get_if<MeshRef>(&part.geometry);
+    return mesh ? (*mesh)->soup.face_names.size() : face_names(std::get<Shape>(part.geometry)).size();
+}
+
+std::size_t shells_of(TorturePart const& part) {
+    auto const* mesh = std::get_if<MeshRef>(&part.geometry);
+    return mesh ? (*mesh)->shells.size() : 1;
+}
+
+class Ours : public Finder {
+  public:
+    explicit Ours(TortureCase const& torture) : scene_(sahl_scene(torture)) {}
+
+    void begin(TortureRay const& ray, std::vector<std::uint32_t> const&) override {
+        origin_ = ray.origin;
+        direction_ = ray.direction;
+        Bvh::Start const start = scene_.bvh->start_at(ray.origin, ray.direction);
+        inside_ = start.inside;
+        left_ = start.on;
+        body_ = body_at(scene_, inside_);
+    }
+    Answer next() override {
+        Meeting const meeting = next_interface(scene_, origin_, direction_, inside_, body_, left_, found_);
+        if (meeting == Meeting::nothing)
+            return {};
+        Answer answer;
+        answer.kind = meeting == Meeting::interface ? Answer::Kind::boundary : Answer::Kind::lost;
+        if (meeting != Meeting::interface)
+            return answer;
+        answer.t = found_.t;
+        answer.part = scene_.faces[found_.face.value].body.value;
+        answer.face = found_.primitive >= 0 ? static_cast<std::uint32_t>(found_.primitive)
+                                            : found_.face.value - first_face(answer.part);
+        answer.normal = found_.normal;
+        answer.before = medium_of(scene_, body_).value;
+        answer.after = found_.medium_after.value;
+        return answer;
+    }
+    void go_on(dvec3 const& direction, bool crosses) override {
+        origin_ = found_.point;
+        direction_ = direction;
+        inside_ = crosses ? found_.inside_after : found_.inside_before;
+        body_ = crosses ? found_.body_after : found_.body_before;
+        left_ = found_.left_by(crosses);
+    }
+    std::uint32_t medium() const override { return medium_of(scene_, body_).value; }
+    dvec3 origin() const override { return origin_; }
+    dvec3 direction() const override { return direction_; }
+    double ulp() const override { return 0x1p-52; }
+
+  private:
+    std::uint32_t first_face(std::uint32_t part) const {
+        std::uint32_t face = found_.face.value;
+        while (face > 0 && scene_.faces[face - 1].body.value == part)
+            --face;
+        return face;
+    }
+
+    Scene scene_;
+    dvec3 origin_{0.0}, direction_{0.0};
+    ShellSet inside_;
+    LeftSheets left_;
+    std::optional<ObjectId> body_;
+    Interface found_;
+};
+
+/// Every body in a hierarchy of its own: the nearest crossing of any is the next, one at a time.
+class WithoutContact : public Finder {
+  public:
+    explicit WithoutContact(TortureCase const& torture) : torture_(torture) {
+        for (TorturePart const& part : torture.parts) {
+            std::vector<PlacedGeometry> alone;
+            alone.push_back({part.geometry, part.place, {0}, {0}, false, false});
+            bodies_.push_back({Bvh(std::move(alone)), {}, 0, shells_of(part)});
+        }
+    }
+    void begin(TortureRay const& ray, std::vector<std::uint32_t> const&) override {
+        origin_ = ray.origin;
+        direction_ = ray.direction;
+        for (Body& body : bodies_) {
+            body.inside = body.bvh.start_at(ray.origin, ray.direction).inside;
+            body.turns = turns_of(body);
+        }
+    }
+    Answer next() override {
+        after_ = bodies_state();
+        Answer answer;
+        answer.before = medium_in(after_);
+        for (double from = 0.0;;) {
+            NextHit nearest;
+            nearest.t = INFINITY;
+            for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+                NextHit const hit = bodies_[b].bvh.next(origin_, direction_, after_[b].inside, {}, from);
+                if (hit.proof == Proof::leak) {
+                    answer.kind = Answer::Kind::lost;
+                    return answer;
+                }
+                if (hit.at_one_place.empty() || hit.t >= nearest.t)
+                    continue;
+                nearest = hit;
+                answer.part = b;
+            }
+            if (nearest.t == INFINITY) {
+                answer.kind = Answer::Kind::nothing;
+                return answer;
+            }
+            crossing_ = nearest.at_one_place.front();
+            State& state = after_[answer.part];
+            for (Crossing const& c : nearest.at_one_place) {
+                if (c.enters)
+                    state.inside.insert(c.shell);
+                else
+                    state.inside.erase(c.shell);
+            }
+            answer.after = medium_in(after_);
+            if (answer.after != answer.before) {
+                answer.kind = Answer::Kind::boundary;
+                answer.t = nearest.t;
+                answer.face = crossing_.primitive >= 0 ? static_cast<std::uint32_t>(crossing_.primitive)
+                                                       : crossing_.face.value;
+                answer.normal = crossing_.normal;
+                met_ = answer.part;
+                return answer;
+            }
+            from = nearest.t;
+        }
+    }
+    void go_on(dvec3 const& direction, bool crosses) override {
+        origin_ = crossing_.point;
+        direction_ = direction;
+        for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+            // what was passed in silence on the way was passed, only the last boundary may not be
+            if (b != met_ || crosses)
+                bodies_[b].inside = after_[b].inside;
+        }
+    }
+    std::uint32_t medium() const override { return medium_in(bodies_state()); }
+    dvec3 origin() const override { return origin_; }
+    dvec3 direction() const override { return direction_; }
+    double ulp() const override { return 0x1p-52; }
+
+  private:
+    struct State {
+        ShellSet inside;
+    };
+    struct Body {
+        Bvh bvh;
+        ShellSet inside;
+        int turns;
+        std::size_t shells;
+    };
+    int turns_of(Body const& body) const { return body.inside.empty() ? 0 : 1; }
+    std::vector<State> bodies_state() const {
+        std::vector<State> states;
+        for (Body const& body : bodies_)
+            states.push_back({body.inside});
+        return states;
+    }
+    bool contains(std::uint32_t part, ShellSet const& inside) const {
+        auto const* mesh = std::get_if<MeshRef>(&torture_.parts[part].geometry);
+        int turns = 0;
+        for (ShellId const shell : inside)
+            turns += mesh ? (*mesh)->shells[shell.value].sign : 1;
+        return turns > 0;
+    }
+    std::uint32_t medium_in(std::vector<State> const& states) const {
+        std::uint32_t medium = 0;
+        std::optional<int> priority;
+        for (std::uint32_t p = 0; p < states.size(); ++p)
+            if (contains(p, states[p].inside) && (!priority || torture_.parts[p].priority >= *priority)) {
+                priority = torture_.parts[p].priority;
+                medium = torture_.parts[p].medium;
+            }
+        return medium;
+    }
+
+    TortureCase const& torture_;
+    std::vector<Body> bodies_;
+    std::vector<State> after_;
+    dvec3 origin_{0.0}, direction_{0.0};
+    Crossing crossing_;
+    std::uint32_t met_ = 0;
+};
+
+} // namespace
+
+Scene sahl_scene(TortureCase const& torture) {
+    Scene scene;
+    for (std::size_t m = 0; m < torture.indices.size(); ++m)
+        scene.media.push_back({"medium " + std::to_string(m), ConstantIndex{torture.indices[m]}, {}, {}});
+    scene.surroundings = {0};
+    std::vector<PlacedGeometry> geometries;
+    std::uint32_t shell = 0;
+    for (TorturePart const& part : torture.parts) {
+        ObjectId const id{static_cast<std::uint32_t>(scene.bodies.size())};
+        std::string const name = "body " + std::to_string(id.value);
+        auto const* mesh = std::get_if<MeshRef>(&part.geometry);
+        Body& body = scene.bodies.emplace_back();
+        body.name = name;
+        body.medium = {part.medium};
+        body.priority = part.priority;
+        body.to_world = part.place;
+        if (mesh)
+            body.mesh = *mesh;
+        else
+            body.shape = std::get<Shape>(part.geometry);
+        body.method = mesh ? sahl::Method::facet : sahl::Method::automatic;
+        geometries.push_back({part.geometry,
+                              part.place,
+                              {static_cast<std::uint32_t>(scene.faces.size())},
+                              {shell},
+                              false,
+                              false});
+        for (std::size_t face = 0; face < faces_of(part); ++face)
+            scene.faces.push_back({name, id, {}});
+        for (std::size_t s = 0; s < shells_of(part); ++s)
+            scene.shells.push_back({id, mesh ? (*mesh)->shells[s].sign : 1, shells_of(part) == 1});
+        shell += static_cast<std::uint32_t>(shells_of(part));
+    }
+    scene.bvh = std::make_unique<Bvh const>(std::move(geometries));
+    return scene;
+}
+
+std::unique_ptr<Finder> ours(TortureCase const& torture) {
+    return std::make_unique<Ours>(torture);
+}
+
+std::unique_ptr<Finder> ours_without_contact(TortureCase const& torture) {
+    return std::make_unique<WithoutContact>(torture);
+}
+
+} // namespace sahl::bench
