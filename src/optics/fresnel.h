@@ -56,12 +56,18 @@ inline FresnelShares fresnel_shares(Incidence incidence, double n_incident, doub
     double const indices = (n2 - n1) * (n2 + n1);
     double const by_sum_s = 1.0 / (k1 + k2);
     double const by_sum_p = 1.0 / (n2_squared * k1 + n1_squared * k2);
-    double const amplitude_s = indices * by_sum_s * by_sum_s;
+    // the difference itself where little cancels, so that near R = 1 what is reflected and what is
+    // transmitted add up
+    double const difference_s = k1 - k2, difference_p = n2_squared * k1 - n1_squared * k2;
+    double const amplitude_s =
+        by_sum_s * (std::abs(difference_s) * by_sum_s > 0.5 ? difference_s : indices * by_sum_s);
     // n2² c² − n1² s²; where s is the small one and has the digits, this is k2² − n2² s²
     double const along = n2 * s;
     double const difference = c >= s ? std::fma(k2, k2, -along * along)
                                      : difference_of_products(n2, c, n1, s) * std::fma(n2, c, n1 * s);
-    double const amplitude_p = indices * n1_squared * difference * by_sum_p * by_sum_p;
+    double const amplitude_p =
+        by_sum_p * (std::abs(difference_p) * by_sum_p > 0.5 ? difference_p
+                                                            : indices * n1_squared * difference * by_sum_p);
     double const both = 4.0 * k1 * k2;
     return {amplitude_s * amplitude_s, amplitude_p * amplitude_p, both * by_sum_s * by_sum_s,
             both * n1_squared * n2_squared * by_sum_p * by_sum_p};
