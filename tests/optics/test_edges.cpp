@@ -28,7 +28,7 @@ TEST_CASE("shares at metals are right to 100 ulp or 1e-16, and add up to 2e-15, 
     }
 }
 
-TEST_CASE("directions are right to 1e-14 rad away from the critical angle, and total reflection is decided "
+TEST_CASE("directions are right to 2e-14 rad away from the critical angle, and total reflection is decided "
           "to rounding") {
     for (Regime const& regime : dielectric_regimes()) {
         Directions const worst = judge_directions(regime, 13, 20'000);
