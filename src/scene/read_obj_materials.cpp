@@ -106,9 +106,22 @@ ModelMaterial understood(MtlMaterial const& source, Warnings& warnings, Warnings
         if (source.ni.value_or(1.0) > 1.0)
             like_blender_glass.push_back(source.name);
     }
-    for (std::string const& what : source.left_out)
-        warnings.push_back(source.place + ": material '" + source.name + "': " + what);
     return material;
+}
+
+/// What is left out, each with the materials that it is left out of: often it is the same for many.
+struct LeftOut {
+    std::string what, first_place;
+    std::vector<std::string> materials;
+};
+
+void collect(std::vector<LeftOut>& all, MtlMaterial const& source) {
+    for (std::string const& what : source.left_out) {
+        auto entry = std::find_if(all.begin(), all.end(), [&](LeftOut const& e) { return e.what == what; });
+        if (entry == all.end())
+            entry = all.insert(all.end(), {what, source.place, {}});
+        entry->materials.push_back(source.name);
+    }
 }
 
 /// What is taken where no MTL file has the material: paint, which absorbs.
@@ -129,11 +142,14 @@ std::vector<ModelMaterial> obj_materials(std::filesystem::path const& path, ObjT
 
     std::vector<ModelMaterial> materials;
     std::vector<std::string> missing, like_blender_glass;
+    std::vector<LeftOut> left_out;
     std::string first_place;
     for (std::size_t i = 0; i < text.materials.size(); ++i) {
         auto const found = library.numbers.find(text.materials[i]);
         if (found != library.numbers.end()) {
-            materials.push_back(understood(library.materials[found->second], warnings, like_blender_glass));
+            MtlMaterial const& source = library.materials[found->second];
+            materials.push_back(understood(source, warnings, like_blender_glass));
+            collect(left_out, source);
             continue;
         }
         materials.push_back(opaque(text.materials[i]));
@@ -143,6 +159,8 @@ std::vector<ModelMaterial> obj_materials(std::filesystem::path const& path, ObjT
             first_place = text.material_places[i];
         missing.push_back(text.materials[i]);
     }
+    for (LeftOut const& entry : left_out)
+        warnings.push_back(entry.first_place + ": " + quoted(entry.materials) + ": " + entry.what);
     if (!missing.empty()) {
         std::vector<std::string> known;
         for (MtlMaterial const& material : library.materials)

@@ -68,6 +68,7 @@ struct MeshMaker {
     std::vector<std::uint32_t> faces;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> face_numbers{}; // by group, material
     std::uint64_t tangled = 0;
+    std::uint64_t without_length = 0; // vertices whose normal the file gives so
 
     std::uint32_t face_of(ObjRun const& run);
     void add_run(std::uint32_t run);
@@ -162,6 +163,7 @@ void MeshMaker::make_normals(std::vector<std::uint32_t> const& corner_of_vertex)
     for (std::uint32_t const corner : corner_of_vertex) {
         std::uint32_t const normal = text.corner_normals[corner];
         soup.normals.push_back(normal == obj_none ? dvec3(0.0) : unit_or_zero(text.normals[normal]));
+        without_length += normal != obj_none && soup.normals.back() == dvec3(0.0);
     }
     for (auto const& t : soup.triangles)
         for (std::uint32_t const corner : t)
@@ -187,7 +189,8 @@ void add_obj_meshes(Model& model, ObjText const& text, std::string const& file) 
     std::map<std::uint32_t, std::vector<std::uint32_t>> runs_of_mesh;
     for (std::uint32_t r = 0; r < mesh_of_run.size(); ++r)
         runs_of_mesh[mesh_of_run[r]].push_back(r);
-    std::uint64_t tangled = 0, patience = 3000000000; // some seconds for all polygons of a file
+    std::uint64_t tangled = 0, without_length = 0;
+    std::uint64_t patience = 3000000000; // some seconds for all polygons of a file
     for (auto const& [first, runs] : runs_of_mesh) {
         MeshMaker maker{text, patience, {}, {}, {}};
         bool const all_groups = text.objects.empty() && runs_of_mesh.size() == 1 && text.groups.size() > 1;
@@ -197,9 +200,14 @@ void add_obj_meshes(Model& model, ObjText const& text, std::string const& file) 
         maker.name_faces();
         maker.make_vertices();
         tangled += maker.tangled;
+        without_length += maker.without_length;
         model.instances.push_back({maker.mesh.name, {}, static_cast<std::uint32_t>(model.meshes.size())});
         model.meshes.push_back(std::move(maker.mesh));
     }
+    if (without_length > 0)
+        model.warnings.push_back(
+            file + ": " + std::to_string(without_length) +
+            " vertices have a normal (vn) of no length; those of their triangles are taken");
     if (tangled > 0)
         model.warnings.push_back(file + ": the outlines of " + std::to_string(tangled) +
                                  " polygons cross themselves or are too tangled, and their triangles may "

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using Warnings = std::vector<std::string>;
 
 constexpr std::uintmax_t mtl_budget = std::uintmax_t{64} << 20; // bytes of all MTL files together
+constexpr std::size_t most_materials = std::size_t{1} << 16;
 
 // What they describe is not modelled, and said so; what no list has is unknown.
 constexpr std::array<std::string_view, 18> silent{
@@ -62,10 +63,10 @@ class MtlReader {
     std::optional<double> number(MtlMaterial& material, std::string_view key, std::string_view word,
                                  double low, double high);
     std::optional<std::array<double, 3>> colour(MtlMaterial& material, std::string_view key);
-    void fault(MtlMaterial& material, std::string_view key, std::string_view word,
-               std::string const& remedy) {
-        material.faults.push_back({std::string(key), in_.place(),
-                                   std::string(key) + " " + shown(word) + " cannot be read", remedy});
+    void fault(MtlMaterial& material, std::string_view key, std::string_view word, std::string const& remedy);
+    static void leave_out(MtlMaterial& material, std::string const& what) {
+        if (std::find(material.left_out.begin(), material.left_out.end(), what) == material.left_out.end())
+            material.left_out.push_back(what);
     }
 
     ObjLines in_;
@@ -77,6 +78,16 @@ class MtlReader {
     std::set<std::string, std::less<>> unknown_;
 };
 
+/// The first of each key.
+void MtlReader::fault(MtlMaterial& material, std::string_view key, std::string_view word,
+                      std::string const& remedy) {
+    for (MtlFault const& known : material.faults)
+        if (known.key == key)
+            return;
+    material.faults.push_back(
+        {std::string(key), in_.place(), std::string(key) + " " + shown(word) + " cannot be read", remedy});
+}
+
 void MtlReader::begin_material() {
     std::string const name(in_.rest());
     auto const [entry, is_new] = library_.numbers.try_emplace(name, library_.materials.size());
@@ -84,7 +95,8 @@ void MtlReader::begin_material() {
         library_.materials.emplace_back();
         now_ = &library_.materials.back();
     } else {
-        warnings_.push_back(in_.place() + ": a second material " + shown(name) + " is left out");
+        if (second_.name.empty())
+            warnings_.push_back(in_.place() + ": a second material " + shown(name) + " is left out");
         now_ = &(second_ = {});
     }
     now_->name = name;
@@ -112,8 +124,8 @@ std::optional<std::array<double, 3>> MtlReader::colour(MtlMaterial& material, st
         if (i == 1 && word.empty())
             return std::array<double, 3>{values[0], values[0], values[0]};
         if (i == 0 && (word == "spectral" || word == "xyz")) {
-            material.left_out.push_back(std::string(key) + " as " + std::string(word) +
-                                        " is not read; write three numbers");
+            leave_out(material,
+                      std::string(key) + " as " + std::string(word) + " is not read; write three numbers");
             return std::nullopt;
         }
         auto const value = number(material, key, word, 0.0, std::numeric_limits<double>::max());
@@ -154,14 +166,13 @@ void MtlReader::statement(MtlMaterial& material, std::string_view key) {
     } else if (key == "Tf") {
         material.tf = colour(material, key);
     } else if (key == "map_Kd" || key == "map_Ks" || key == "map_d") {
-        material.left_out.push_back("its texture " + std::string(key) +
-                                    " is not read; the number is taken for all of it");
+        leave_out(material,
+                  "its texture " + std::string(key) + " is not read; the number is taken for all of it");
     } else if (is_one_of(bumps)) {
-        material.left_out.push_back("its " + std::string(key) +
-                                    " is left out: surfaces are as smooth as the mesh");
+        leave_out(material, "its " + std::string(key) + " is left out: surfaces are as smooth as the mesh");
     } else if (key == "Pr") {
         if (auto const roughness = number(material, key, in_.word(), 0.0, 1.0); roughness && *roughness > 0.0)
-            material.left_out.push_back("its roughness Pr is left out: surfaces are smooth");
+            leave_out(material, "its roughness Pr is left out: surfaces are smooth");
     } else if (!is_one_of(silent) && unknown_.size() < 20 && unknown_.insert(std::string(key)).second) {
         warnings_.push_back(in_.place() + ": " + shown(key) + " is no key of MTL, and is left out");
     }
@@ -174,6 +185,10 @@ void MtlReader::read() {
         std::string_view const key = in_.word();
         if (key.empty())
             continue;
+        if (key == "newmtl" && library_.materials.size() == most_materials) {
+            warnings_.push_back(in_.place() + ": materials after the first 65536 are left out");
+            return;
+        }
         if (key == "newmtl") {
             begin_material();
         } else if (now_) {

@@ -16,6 +16,7 @@ namespace {
 constexpr double farthest = 1e15; // units of the file
 
 constexpr std::size_t most_triangles = std::size_t{1} << 25;
+constexpr std::size_t most_libraries = 1000;
 constexpr std::size_t most_names = std::size_t{1} << 16; // of objects, of groups, of materials
 
 // Statements that change no polygon (1995's "Object Files", version 3.0).
@@ -64,6 +65,7 @@ class Parser {
     dvec3 vector(char const* what);
     void face();
     std::uint32_t resolved(std::int64_t index, std::size_t count, char const* what, Ahead& ahead) const;
+    void library();
     void name(NameList& list, std::uint32_t& current, char const* what);
     void check_ahead(Ahead const& ahead, std::size_t count, char const* what) const;
     void leave_out(std::string_view key) {
@@ -183,6 +185,17 @@ void Parser::name(NameList& list, std::uint32_t& current, char const* what) {
                          "join them, or split the model");
 }
 
+/// Some programs repeat it before each object.
+void Parser::library() {
+    std::string const names(in_.rest());
+    for (ObjText::Library const& known : text_.libraries)
+        if (known.names == names)
+            return;
+    if (text_.libraries.size() == most_libraries)
+        throw InputError(in_.place(), "the file names more than 1000 MTL files", "join them");
+    text_.libraries.push_back({names, in_.place()});
+}
+
 void Parser::statement(std::string_view key) {
     if (key == "v") {
         text_.positions.push_back(vector("a vertex"));
@@ -205,7 +218,7 @@ void Parser::statement(std::string_view key) {
     } else if (key == "g") {
         name(groups_, now_.group, "groups");
     } else if (key == "mtllib") {
-        text_.libraries.push_back({std::string(in_.rest()), in_.place()});
+        library();
     } else if (std::find(harmless.begin(), harmless.end(), key) == harmless.end()) {
         leave_out(key);
         if (left_out_.size() > 1000)

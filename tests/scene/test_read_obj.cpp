@@ -70,6 +70,8 @@ TEST_CASE("normals of OBJ corners are made unit, and those without take their tr
     CHECK(normal(1, 0) == dvec3(1, 0, 0));
     CHECK(normal(1, 2) == dvec3(1, 0, 0));
     CHECK(normal(2, 1) == dvec3(0, 1, 0));
+    REQUIRE(model.warnings.size() == 1);
+    CHECK(model.warnings[0].find("3 vertices have a normal (vn) of no length") != std::string::npos);
 }
 
 TEST_CASE("OBJ objects are meshes, and their groups and materials are faces") {

@@ -142,6 +142,7 @@ TEST_CASE("what else MTL files say is named") {
     CHECK(warns(with_material("Kd spectral ident.rfl"), "Kd as spectral is not read"));
     CHECK(warns(with_material("Ni 1.45\nillum 2\nd 1"), "'m': opaque by illum and d")); // Blender's glass
     CHECK_FALSE(warns(with_material("Ni 1\nillum 2"), "opaque by illum"));
+    CHECK(with_material("map_Kd a.png\nmap_Kd b.png\nKd x\nKd y").warnings.size() == 2); // once each
     CHECK(with_material("Ka 1 1 1\nKs 1 1 1\nKe 0 0 0\nNs 96\nsharpness 60").warnings.empty());
 }
 
@@ -194,8 +195,9 @@ TEST_CASE("MTL files are found by one name or several, in the model's folder and
         INFO(names);
         CHECK(index(names) == 1.5);
     }
-    folder.write("inner/a.obj", "mtllib missing.mtl b.mtl\n" + triangle);
+    folder.write("inner/a.obj", "mtllib missing.mtl b.mtl\nmtllib missing.mtl b.mtl\n" + triangle);
     Model const model = read_obj(folder.path / "inner" / "a.obj");
     CHECK(model.materials[0].ior == 1.7);
     CHECK(warns(model, "'missing.mtl' is not there"));
+    CHECK(model.warnings.size() == 1);
 }
