@@ -80,16 +80,25 @@ bool misses(Bounds const& box, dvec3 const& origin, dvec3 const& direction, doub
 
 Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State>()) {
     std::map<Mesh const*, std::shared_ptr<MeshTree const>> trees; // instances share one
+    std::map<Mesh const*, std::shared_ptr<MeshSheet const>> sheets;
+    auto const shared = [](auto& known, std::shared_ptr<Mesh const> const& mesh) {
+        auto& one = known[mesh.get()];
+        using Kind = typename std::remove_reference_t<decltype(one)>::element_type;
+        if (!one)
+            one = std::make_shared<Kind>(mesh);
+        return one;
+    };
     std::uint32_t faces = 0;
     for (PlacedGeometry& geometry : geometries) {
         std::shared_ptr<MeshTree const> tree;
+        std::shared_ptr<MeshSheet const> sheet;
         if (auto const* const mesh = std::get_if<std::shared_ptr<Mesh const>>(&geometry.geometry)) {
-            auto& shared = trees[mesh->get()];
-            if (!shared)
-                shared = std::make_shared<MeshTree const>(*mesh);
-            tree = shared;
+            if (geometry.open)
+                sheet = shared(sheets, *mesh);
+            else
+                tree = shared(trees, *mesh);
         }
-        state_->objects.push_back(place(std::move(geometry), std::move(tree)));
+        state_->objects.push_back(place(std::move(geometry), std::move(tree), std::move(sheet)));
         Placed const& placed = state_->objects.back();
         faces = std::max(faces, placed.geometry.first_face.value + placed.face_count());
         auto& list = placed.bounded ? state_->bounded : state_->unbounded;
@@ -118,7 +127,7 @@ NextHit Bvh::State::next_of_lone(dvec3 const& origin, dvec3 const& direction, Sh
                                  double from) const {
     NextHit hit;
     Candidate found;
-    double const contradiction = objects.front().next(origin, direction, inside, {from, INFINITY}, found);
+    double const contradiction = objects.front().next(origin, direction, inside, {from, INFINITY}, {}, found);
     if (found.t == INFINITY || contradiction < found.t) {
         hit.proof = contradiction < INFINITY || !inside.empty() ? Proof::leak : Proof::clean;
         hit.t = contradiction;
@@ -142,13 +151,13 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
 
     auto const ask = [&](std::uint32_t index) {
         Placed const& object = state.objects[index];
-        if (std::any_of(left.begin(), left.end(), [&](LeftSheet const& sheet) {
-                return sheet.object == index && object.heads_above(direction) == bool(sheet.above);
-            }))
-            return;
+        std::optional<bool> above;
+        for (LeftSheet const& sheet : left)
+            if (sheet.object == index)
+                above = bool(sheet.above);
         Candidate found;
         contradiction =
-            std::min(contradiction, object.next(origin, direction, inside, {from, horizon}, found));
+            std::min(contradiction, object.next(origin, direction, inside, {from, horizon}, above, found));
         if (found.t == INFINITY)
             return;
         found.object = index;

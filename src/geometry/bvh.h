@@ -24,7 +24,8 @@ struct PlacedGeometry {
     ShellId first_shell;   // its shells too; an open shape has none
     bool detector = false; // met before whatever else lies at the same place
     bool interpolate =
-        false; // a mesh's normals are those of its vertices, weighted, not those of its triangles
+        false;         // a mesh's normals are those of its vertices, weighted, not those of its triangles
+    bool open = false; // a mesh as a surface without an inside; it has no shells
 };
 
 struct Crossing {
@@ -49,10 +50,10 @@ enum class Proof : std::uint8_t {
 };
 
 /// An open geometry that lies where a ray starts, and the side of it that the ray is on: going away from it,
-/// the ray does not meet it, whatever rounding says.
+/// the ray does not meet it there, whatever rounding says.
 struct LeftSheet {
     std::uint32_t object : 31;
-    std::uint32_t above : 1; // on the side of its +z
+    std::uint32_t above : 1; // on the side of its +z, of a mesh: of its normals
 };
 using LeftSheets = InlineVector<LeftSheet, 7>;
 

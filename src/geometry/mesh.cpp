@@ -67,14 +67,13 @@ void merge_vertices(TriangleSoup& soup, std::span<std::uint32_t const> place) {
 }
 
 /// Numbers the components that still have triangles, in their order.
-void name_shells(Mesh& mesh, std::vector<std::uint32_t> const& component,
-                 std::vector<ClosedComponent> const& components) {
+void name_shells(Mesh& mesh, Topology const& topology, std::vector<ClosedComponent> const& components) {
     std::vector<std::uint32_t> shell(components.size(), 0xFFFFFFFFu);
-    for (std::uint32_t const c : component) {
+    for (std::uint32_t const c : topology.component) {
         if (shell[c] == 0xFFFFFFFFu) {
             shell[c] = static_cast<std::uint32_t>(mesh.shells.size());
             double const volume = components[c].signed_volume;
-            mesh.shells.push_back({volume < 0.0 ? -1 : 1, std::abs(volume)});
+            mesh.shells.push_back({volume < 0.0 ? -1 : 1, std::abs(volume), topology.open[c]});
         }
         mesh.triangle_shell.push_back(shell[c]);
     }
@@ -136,7 +135,7 @@ Mesh make_mesh(TriangleSoup soup) {
     });
     topology.component.resize(kept);
     mesh.degenerate_triangles = all - kept;
-    name_shells(mesh, topology.component, components);
+    name_shells(mesh, topology, components);
     merge_vertices(soup, place);
     mesh.soup = std::move(soup);
     if (!mesh.soup.positions.empty())

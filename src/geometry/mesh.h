@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,11 @@ struct TriangleSoup {
     std::vector<std::string> face_names;      // at least one
 };
 
-/// One closed component. `sign` +1: normals point out of the volume it encloses; −1: into it (a cavity).
+/// One component. `sign` +1: normals point out of the volume it encloses; −1: into it (a cavity).
 struct MeshShell {
     int sign = 1;
     double volume = 0.0; // m³, enclosed
+    bool open = false;   // it has a border, and encloses nothing
 };
 
 struct Mesh {
@@ -43,5 +45,8 @@ struct Mesh {
 /// components, and makes the outermost component's normals point outwards (a component inside another keeps
 /// the orientation it came with: that is what tells a cavity from a body within a body).
 Mesh make_mesh(TriangleSoup soup);
+
+/// Those shells of a mesh alone, in the order given; faces keep their numbers.
+Mesh part_of(Mesh const& mesh, std::span<std::uint32_t const> shells);
 
 } // namespace sahl

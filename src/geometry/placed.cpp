@@ -1,6 +1,7 @@
 #include "geometry/placed.h"
 
 #include "math/overloaded.h"
+#include "math/products.h"
 
 #include <limits>
 
@@ -9,6 +10,7 @@ namespace sahl {
 namespace {
 
 using Tree = std::shared_ptr<MeshTree const>;
+using Sheet = std::shared_ptr<MeshSheet const>;
 
 /// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the
 /// world and back, and solving for t, round some ten times each; the rest is margin.
@@ -44,13 +46,16 @@ std::pair<dvec3, dvec3> sheet_box(Shape const& sheet) {
 
 } // namespace
 
-Placed place(PlacedGeometry geometry, Tree tree) {
+Placed place(PlacedGeometry geometry, Tree tree, Sheet sheet) {
     Affine const to_world = geometry.to_world;
     std::pair<dvec3, dvec3> box;
     auto met_by = [&]() -> decltype(Placed::met_by) {
-        if (tree) {
-            box = {tree->mesh().low, tree->mesh().high};
-            return tree;
+        if (tree || sheet) {
+            Mesh const& mesh = tree ? tree->mesh() : sheet->mesh();
+            box = {mesh.low, mesh.high};
+            if (tree)
+                return tree;
+            return sheet;
         }
         Shape const& shape = std::get<Shape>(geometry.geometry);
         if (is_open(shape)) {
@@ -84,11 +89,13 @@ Placed::LocalRay Placed::local(dvec3 const& origin, dvec3 const& direction) cons
 }
 
 double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
-                    Candidate& found) const {
+                    std::optional<bool> above, Candidate& found) const {
     LocalRay const ray = local(origin, direction);
     return std::visit(
         Overloaded{
             [&](Shape const& sheet) {
+                if (above && *above == (ray.direction.z > 0.0)) // it goes away from the whole plane
+                    return INFINITY + 0.0;
                 if (auto const t = meet(sheet, ray.origin, ray.direction)) {
                     double const blur = ray.rounding / std::abs(ray.direction.z);
                     if (*t >= reach.from - blur && *t <= reach.to)
@@ -125,6 +132,18 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 }
                 return answer.contradiction;
             },
+            [&](Sheet const& sheet) {
+                if (auto const m = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
+                    found = Candidate{m->t,
+                                      m->blur(ray.rounding),
+                                      0,
+                                      sheet->mesh().soup.triangle_face[m->triangle],
+                                      static_cast<std::int32_t>(m->triangle),
+                                      m->uv,
+                                      true,
+                                      m->against};
+                return INFINITY + 0.0;
+            },
         },
         met_by);
 }
@@ -134,14 +153,20 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
     auto const in = [&](std::uint32_t shell) {
         into.fits = into.inside.insert({geometry.first_shell.value + shell}) && into.fits;
     };
+    auto const on = [&](bool above) {
+        into.fits = into.fits && !into.on.full();
+        if (!into.on.full())
+            into.on.push_back({index, above});
+    };
     std::visit(Overloaded{
                    [&](Shape const& sheet) {
-                       if (std::abs(ray.origin.z) > ray.rounding ||
-                           !covers(sheet, ray.origin.x, ray.origin.y))
-                           return;
-                       into.fits = into.fits && !into.on.full();
-                       if (!into.on.full())
-                           into.on.push_back({index, ray.direction.z > 0.0});
+                       if (std::abs(ray.origin.z) <= ray.rounding &&
+                           covers(sheet, ray.origin.x, ray.origin.y))
+                           on(ray.direction.z > 0.0);
+                   },
+                   [&](Sheet const& sheet) {
+                       if (auto const above = sheet->heads_above(ray.origin, ray.direction, ray.rounding))
+                           on(*above);
                    },
                    [&](Solid const& solid) {
                        if (solid.inside(ray.origin, ray.direction, 0.0, ray.rounding))
@@ -159,8 +184,26 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
 
 bool Placed::lies_at(dvec3 const& point) const {
     LocalRay const ray = local(point, dvec3(0.0));
+    if (Sheet const* const sheet = std::get_if<Sheet>(&met_by))
+        return (*sheet)->heads_above(ray.origin, ray.direction, ray.rounding).has_value();
     return std::abs(ray.origin.z) <= ray.rounding;
 }
+
+namespace {
+
+/// The vertices' normals, weighted, on the side of the triangle's own.
+dvec3 smooth_normal(TriangleSoup const& soup, std::uint32_t triangle, dvec2 const& uv, dvec3 const& facet) {
+    if (soup.normals.empty())
+        return facet;
+    auto const& [a, b, c] = soup.triangles[triangle];
+    dvec3 const smooth =
+        (1.0 - uv.x - uv.y) * soup.normals[a] + uv.x * soup.normals[b] + uv.y * soup.normals[c];
+    // the file's normals point out of the glass as the triangles do, or the triangles were turned
+    double const sense = dot(smooth, facet);
+    return sense != 0.0 ? normalize(smooth * (sense < 0.0 ? -1.0 : 1.0)) : facet;
+}
+
+} // namespace
 
 Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction,
                           double from) const {
@@ -174,22 +217,13 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                        facet = normal = {0.0, 0.0, 1.0};
                    },
                    [&](Solid const& solid) { facet = normal = solid.settle(candidate.face, point); },
-                   [&](Tree const& tree) {
+                   [&](auto const& tree_or_sheet) {
                        auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
-                       auto const& soup = tree->mesh().soup;
-                       auto const& corners = soup.triangles[triangle];
-                       facet = normal = tree->normal(triangle);
-                       point = tree->onto(triangle, point);
-                       if (geometry.interpolate && !soup.normals.empty()) {
-                           double const u = candidate.uv.x, v = candidate.uv.y;
-                           dvec3 const smooth = (1.0 - u - v) * soup.normals[corners[0]] +
-                                                u * soup.normals[corners[1]] + v * soup.normals[corners[2]];
-                           // the file's normals point out of the glass as the triangles do, or the triangles
-                           // were turned
-                           double const sense = dot(smooth, facet);
-                           if (sense != 0.0)
-                               normal = normalize(smooth * (sense < 0.0 ? -1.0 : 1.0));
-                       }
+                       facet = tree_or_sheet->normal(triangle);
+                       point = tree_or_sheet->onto(triangle, point);
+                       normal = geometry.interpolate
+                                    ? smooth_normal(tree_or_sheet->mesh().soup, triangle, candidate.uv, facet)
+                                    : facet;
                    },
                },
                met_by);
@@ -217,9 +251,17 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
     return crossing;
 }
 
-std::uint32_t Placed::face_count() const {
+Mesh const* Placed::mesh() const {
     if (Tree const* const tree = std::get_if<Tree>(&met_by))
-        return static_cast<std::uint32_t>((*tree)->mesh().soup.face_names.size());
+        return &(*tree)->mesh();
+    if (Sheet const* const sheet = std::get_if<Sheet>(&met_by))
+        return &(*sheet)->mesh();
+    return nullptr;
+}
+
+std::uint32_t Placed::face_count() const {
+    if (Mesh const* const of_mesh = mesh())
+        return static_cast<std::uint32_t>(of_mesh->soup.face_names.size());
     return static_cast<std::uint32_t>(face_names(std::get<Shape>(geometry.geometry)).size());
 }
 
@@ -232,10 +274,10 @@ Carrier Placed::carrier(std::uint32_t face) const {
 namespace {
 
 std::optional<std::array<dvec3, 3>> corners_of(Placed const& placed, Candidate const& candidate) {
-    Tree const* const tree = std::get_if<Tree>(&placed.met_by);
-    if (!tree)
+    Mesh const* const mesh = placed.mesh();
+    if (!mesh)
         return std::nullopt;
-    auto const& soup = (*tree)->mesh().soup;
+    auto const& soup = mesh->soup;
     auto const& [a, b, c] = soup.triangles[static_cast<std::uint32_t>(candidate.primitive)];
     return std::array{soup.positions[a], soup.positions[b], soup.positions[c]};
 }
@@ -249,8 +291,8 @@ bool triangle_lies_on(Placed const& one, Candidate const& at_one, Placed const& 
         corner = one.geometry.to_world.point(corner);
     Carrier carrier = sheet_carrier();
     if (auto const triangle = corners_of(other, at_other)) {
-        dvec3 const normal =
-            std::get<Tree>(other.met_by)->normal(static_cast<std::uint32_t>(at_other.primitive));
+        auto const& [a, b, c] = *triangle;
+        dvec3 const normal = normalize(precise_cross(b - a, c - a));
         carrier = PlaneCarrier{normal, dot(normal, triangle->front())};
     } else {
         carrier = other.carrier(at_other.face);

@@ -3,6 +3,7 @@
 
 #include "geometry/bvh.h"
 #include "geometry/contact.h"
+#include "geometry/mesh_sheet.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/sheet.h"
 #include "geometry/solid.h"
@@ -26,7 +27,8 @@ struct Candidate {
 
 struct Placed {
     PlacedGeometry geometry;
-    std::variant<Shape, Solid, std::shared_ptr<MeshTree const>> met_by; // a Shape here is open
+    std::variant<Shape, Solid, std::shared_ptr<MeshTree const>, std::shared_ptr<MeshSheet const>>
+        met_by; // a Shape here is open
     Affine to_local;
     bool moved = false;    // to_world is not the identity
     double rounding = 0.0; // m, local: at a start near the geometry's own origin; grows with distance
@@ -42,15 +44,15 @@ struct Placed {
 
     /// Writes the next crossing at t ≥ reach.from, if there is one up to reach.to; returns t from which on
     /// what is met contradicts `inside` (∞: nothing does).
+    ///   above   of an open geometry that the ray starts on: on which side
     double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
-                Candidate& found) const;
+                std::optional<bool> above, Candidate& found) const;
 
     /// Appends what a ray starting here is in or on.
     void start(dvec3 const& origin, dvec3 const& direction, std::uint32_t index, Bvh::Start& into) const;
 
-    /// Of a sheet: is the place on its plane? Does a direction lead to the side of its +z?
+    /// Of an open geometry: is the place on it, of a flat one on its plane?
     bool lies_at(dvec3 const& point) const;
-    bool heads_above(dvec3 const& direction) const { return to_local.vector(direction).z > 0.0; }
 
     /// The crossing with its point and normals in the world. What rounding puts before `from` is met there: a
     /// ray that went back along a face that it grazes would come out beside it.
@@ -59,12 +61,14 @@ struct Placed {
 
     std::uint32_t face_count() const;
     Carrier carrier(std::uint32_t face) const; // of an exact shape
-    bool exact() const { return !std::holds_alternative<std::shared_ptr<MeshTree const>>(met_by); }
+    Mesh const* mesh() const;                  // none: an exact shape
+    bool exact() const { return !mesh(); }
 };
 
 /// Do two faces that are met at one place, one of them at least a triangle of a mesh, lie on one plane?
 bool flush(Placed const& one, Candidate const& at_one, Placed const& other, Candidate const& at_other);
 
-Placed place(PlacedGeometry geometry, std::shared_ptr<MeshTree const> tree);
+Placed place(PlacedGeometry geometry, std::shared_ptr<MeshTree const> tree,
+             std::shared_ptr<MeshSheet const> sheet);
 
 } // namespace sahl
