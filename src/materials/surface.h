@@ -1,6 +1,9 @@
 // In: nothing. Out: what a face is finished with, as plain data.
 #pragma once
 
+#include "materials/colour.h"
+#include "math/ids.h"
+
 #include <array>
 #include <complex>
 #include <string>
@@ -35,9 +38,25 @@ struct Paint {
     std::string texture;
 };
 
+/// A boundary as model files describe it: of what arrives, `clear` meets the boundary of the two media, and
+/// what refracts there is tinted; `mirrored` is reflected like a mirror beside it. The rest is absorbed.
+struct Tinted {
+    double clear = 1.0;                // [0, 1]
+    Colour transmitted{1.0, 1.0, 1.0}; // share of the refracted light that goes on
+    Colour mirrored{0.0, 0.0, 0.0};    // clear + mirrored ≤ 1 for each
+};
+/// A plane plate without thickness: light that is reflected to and fro in it comes out at the same place, in
+/// the direction in which it came.
+struct ThinWall {
+    MediumId wall;                     // what the plate is made of
+    double clear = 1.0;                // as of Tinted
+    Colour transmitted{1.0, 1.0, 1.0}; // share of what comes through that goes on
+    Colour mirrored{0.0, 0.0, 0.0};
+};
+
 struct Surface {
     std::string name;
-    std::variant<Metal, Shares, Absorber, Diffuse, Paint> kind = Absorber{};
+    std::variant<Metal, Shares, Absorber, Diffuse, Paint, Tinted, ThinWall> kind = Absorber{};
 };
 
 /// n + ik of a metal at `wavelength` (m).

@@ -31,7 +31,8 @@ Weights passed_on(Scene const& scene, WavelengthTable const& optics, WavelengthI
         return weights;
     auto const& surface = scene.faces[static_cast<std::size_t>(parent.surface)].surface;
     double const n = optics.index({parent.medium}, wavelength);
-    if (!surface && through) {
+    bool const boundary = !surface || std::holds_alternative<Tinted>(scene.surfaces[surface->value].kind);
+    if (boundary && through) {
         double const n_through = optics.index({through->medium}, wavelength);
         dvec3 const step =
             n * parent.direction - n_through * through->direction; // along the normal, by Snell

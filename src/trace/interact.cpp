@@ -4,6 +4,7 @@
 #include "math/random.h"
 #include "math/sequences.h"
 #include "optics/fresnel.h"
+#include "optics/plate.h"
 #include "optics/snell.h"
 
 #include <algorithm>
@@ -74,6 +75,63 @@ Branches metallic(Encounter const& met, std::complex<double> metal) {
     return branches;
 }
 
+Branches tinted(Encounter const& met, Tinted const& surface, double wavelength) {
+    double const passes = at_wavelength(surface.transmitted, wavelength);
+    double const mirrored = at_wavelength(surface.mirrored, wavelength);
+    Branches branches;
+    branches.absorbed = std::max(0.0, 1.0 - surface.clear - mirrored);
+    branches.ended = Event::absorbed;
+    double reflected = mirrored;
+    Event back = Event::reflected;
+    if (surface.clear > 0.0) {
+        Branches const boundary = dielectric(met);
+        for (Outgoing out : boundary.outgoing) {
+            if (!out.crosses) {
+                reflected += surface.clear * out.share;
+                back = out.event;
+                continue;
+            }
+            branches.absorbed += surface.clear * out.share * (1.0 - passes);
+            out.share *= surface.clear * passes;
+            if (out.share > 0.0)
+                branches.outgoing.push_back(out);
+        }
+    }
+    if (reflected > 0.0)
+        branches.outgoing.push_back(met.reflected(reflected, back));
+    if (!branches.outgoing.empty())
+        branches.ended = branches.outgoing[0].event;
+    return branches;
+}
+
+Branches thin_wall(Encounter const& met, ThinWall const& surface, double n_wall, double wavelength) {
+    double const passes = at_wavelength(surface.transmitted, wavelength);
+    double const mirrored = at_wavelength(surface.mirrored, wavelength);
+    Branches branches;
+    branches.absorbed = std::max(0.0, 1.0 - surface.clear - mirrored);
+    auto const through = met.n_before == met.n_after
+                             ? std::optional(met.direction)
+                             : refract(met.direction, met.normal, met.n_before, met.n_after);
+    Incidence const incidence = Approach(met.direction, met.normal).incidence;
+    auto const plate = through ? fresnel_plate(incidence, met.n_before, n_wall, met.n_after) : std::nullopt;
+    if (!plate) {
+        branches.ended = Event::total_internal;
+        branches.outgoing.push_back(met.reflected(surface.clear + mirrored, Event::total_internal));
+        return branches;
+    }
+    double const transmitted = surface.clear * plate->transmittance();
+    double const reflected = surface.clear * plate->reflectance() + mirrored;
+    branches.absorbed += transmitted * (1.0 - passes);
+    branches.ended = Event::absorbed;
+    if (transmitted * passes > 0.0)
+        branches.outgoing.push_back({*through, transmitted * passes, Event::refracted, true});
+    if (reflected > 0.0)
+        branches.outgoing.push_back(met.reflected(reflected, Event::reflected));
+    if (!branches.outgoing.empty())
+        branches.ended = branches.outgoing[0].event;
+    return branches;
+}
+
 Branches diffuse(Encounter const& met, double reflectance, Draw const& draw) {
     Branches branches;
     branches.absorbed = 1.0 - reflectance;
@@ -116,6 +174,11 @@ Branches interact(Scene const& scene, WavelengthTable const& optics, Interface c
                 [&](Absorber const&) { return constant_shares(met, 0.0, 0.0); },
                 [&](Diffuse const& s) { return diffuse(met, s.reflectance, draw); },
                 [&](Paint const& s) { return constant_shares(met, s.reflect, 0.0); },
+                [&](Tinted const& s) { return tinted(met, s, optics.wavelengths()[wavelength.value]); },
+                [&](ThinWall const& s) {
+                    return thin_wall(met, s, optics.index(s.wall, wavelength),
+                                     optics.wavelengths()[wavelength.value]);
+                },
             },
             scene.surfaces[interface.surface->value].kind);
     };

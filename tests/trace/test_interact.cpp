@@ -1,5 +1,6 @@
 // What each kind of surface makes of a ray: shares, directions and events, at every angle and at the edges.
 #include "optics/fresnel.h"
+#include "optics/plate.h"
 #include "support/catch.h"
 #include "support/dice.h"
 #include "support/lab.h"
@@ -192,4 +193,93 @@ TEST_CASE("an interpolated normal never sends light to the wrong side of its tri
                 REQUIRE((out.crosses ? out.direction.z < 0.0 : out.direction.z > 0.0));
         }
     }
+}
+
+TEST_CASE("a tinted boundary takes its share of what refracts, of its colour's band, and nothing of what "
+          "reflects") {
+    double const pi = std::numbers::pi;
+    Colour const colour{0.2, 0.8, 0.4}; // the bench's 587.6 nm are in the red band
+    Bench const clear = bench_with(1.0, 1.5), tinted = bench_with(1.0, 1.5, Tinted{1.0, colour, {}});
+    Bench const clear_out = bench_with(1.5, 1.0), tinted_out = bench_with(1.5, 1.0, Tinted{1.0, colour, {}});
+    for (double angle : {0.0, 0.3, 0.9, 1.4, 0.5 * pi - 1e-6})
+        for (auto const& [plain, with] : {std::pair(&clear, &tinted), std::pair(&clear_out, &tinted_out)}) {
+            Branches const a = plain->meet(angle), b = with->meet(angle);
+            REQUIRE(a.outgoing.size() == b.outgoing.size());
+            for (std::size_t i = 0; i < a.outgoing.size(); ++i) {
+                CHECK(b.outgoing[i].direction == a.outgoing[i].direction);
+                CHECK(b.outgoing[i].event == a.outgoing[i].event);
+                CHECK(b.outgoing[i].share == a.outgoing[i].share * (a.outgoing[i].crosses ? 0.2 : 1.0));
+            }
+            CHECK(std::abs(all_shares(b) - 1.0) < 2e-15);
+            CHECK(b.ended == a.ended);
+        }
+}
+
+TEST_CASE("a tinted boundary of metal mirrors its colour, and one in part mixes both") {
+    Bench const metal = bench_with(1.0, 1.5, Tinted{0.0, {1, 1, 1}, {0.7, 0.2, 0.1}});
+    Branches const all = metal.meet(0.4);
+    REQUIRE(all.outgoing.size() == 1);
+    CHECK(all.outgoing[0].share == 0.7);
+    CHECK(all.absorbed == Approx(0.3).epsilon(1e-15));
+    CHECK(all.ended == Event::reflected);
+
+    Bench const part = bench_with(1.0, 1.5, Tinted{0.75, {1, 1, 1}, {0.2, 0.0, 0.0}});
+    Branches const mixed = part.meet(0.0);
+    REQUIRE(mixed.outgoing.size() == 2);
+    CHECK(mixed.outgoing[0].share == Approx(0.75 * 0.96).epsilon(1e-14));
+    CHECK(mixed.outgoing[1].share == Approx(0.75 * 0.04 + 0.2).epsilon(1e-14));
+    CHECK(mixed.absorbed == Approx(0.05).epsilon(1e-13));
+}
+
+TEST_CASE("a thin wall reflects 2R / (1 + R) of each polarisation, lets the rest through straight on, and "
+          "tints it") {
+    auto const wall_of = [](double n, double n_around, Colour const& colour) {
+        Lab lab(n_around);
+        MediumId const wall = lab.medium(n);
+        lab.surface(ThinWall{wall, 1.0, colour, {}});
+        lab.rays({{{0, 0, 1}, {0, 0, -1}}});
+        Bench bench(build_scene(lab.experiment), n_around, n_around);
+        bench.interface.medium_after = {0};
+        return bench;
+    };
+    Bench const clear = wall_of(1.5, 1.0, {1, 1, 1}), tinted = wall_of(1.5, 1.0, {0.25, 1, 1});
+    for (double angle : {0.0, 0.2, std::atan(1.5), 1.2, 1.5, 0.5 * std::numbers::pi - 1e-7}) {
+        auto const one = fresnel_dielectric({std::cos(angle), std::sin(angle)}, 1.0, 1.5);
+        auto const both = [](double r) { return 2.0 * r / (1.0 + r); };
+        double const expected = 0.5 * (both(one->r_s) + both(one->r_p));
+        Branches const a = clear.meet(angle), b = tinted.meet(angle);
+        CAPTURE(angle);
+        REQUIRE(a.outgoing.size() == 2);
+        CHECK(a.outgoing[0].direction == dvec3(std::sin(angle), 0.0, -std::cos(angle)));
+        CHECK(a.outgoing[0].crosses);
+        CHECK(std::abs(a.outgoing[1].share - expected) < 1e-14);
+        CHECK(a.absorbed == 0.0);
+        CHECK(std::abs(all_shares(a) - 1.0) < 1e-14);
+        CHECK(b.outgoing[0].share == 0.25 * a.outgoing[0].share);
+        CHECK(b.outgoing[1].share == a.outgoing[1].share);
+        CHECK(std::abs(all_shares(b) - 1.0) < 1e-14);
+    }
+    // between a denser medium and itself a wall of less index is not entered beyond the critical angle
+    Branches const total = wall_of(1.0, 1.5, {1, 1, 1}).meet(0.9);
+    REQUIRE(total.outgoing.size() == 1);
+    CHECK(total.outgoing[0].event == Event::total_internal);
+    CHECK(total.outgoing[0].share == 1.0);
+}
+
+TEST_CASE("a thin wall does to light what a thick plate does, all its reflections taken together") {
+    // at normal incidence, where s and p are alike: unpolarised tracing of a plate averages them at each
+    // surface
+    Lab lab;
+    lab.body("plate", Box{{1.0, 1.0, 0.01}}, lab.medium(1.7));
+    lab.rays({{{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}}});
+    lab.experiment.trace.min_power = 1e-18;
+    Traced const plate = trace(lab);
+    double through = 0.0, back = 0.0;
+    for (Segment const& segment : plate.segments())
+        if (segment.ended == Event::escaped)
+            (segment.direction.z > 0.0 ? through : back) += segment.power_end;
+    auto const wall = fresnel_plate({1.0, 0.0}, 1.0, 1.7, 1.0);
+    REQUIRE(wall);
+    CHECK(std::abs(wall->transmittance() - through) < 1e-15);
+    CHECK(std::abs(wall->reflectance() - back) < 1e-15);
 }
