@@ -222,7 +222,7 @@ Value check_model(std::filesystem::path const& file) {
                       material.ior, material.metallic, material.volume ? "a body (volume)" : "no volume");
         materials.emplace_back(material.name, text(line));
         for (std::string const& warning : material.warnings)
-            warnings.push_back(material.name + ": " + warning);
+            warnings.push_back(warning);
     }
     for (ModelInstance const& instance : model.instances)
         instances.push_back(instance.name + " (mesh " + model.meshes[instance.mesh].name + ")");

@@ -6,9 +6,11 @@
 #include "math/vec.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,10 +35,14 @@ struct ModelMaterial {
     double transmission = 0.0;                            // [0, 1]
     double ior = 1.5;                                     // ≥ 1; or 0: reflects all
     double dispersion = 0.0;                              // 20 / V_d; 0: none
+    double specular = 1.0;                                // [0, 1], of the reflection where ior is 0
+    std::array<double, 3> specular_color{1.0, 1.0, 1.0};  // ≥ 0, the same
     std::optional<ModelVolume> volume;                    // absent: no KHR_materials_volume
     AlphaMode alpha_mode = AlphaMode::opaque;
+    double alpha_cutoff = 0.5; // with mask: what covers less is not there
     bool double_sided = false;
     std::vector<std::string> warnings; // what of it is not modelled
+    std::string extras;                // JSON, for what the format has no word for
 };
 
 /// Each primitive (or group) is a face of `soup`, named after its material, "surface" where it has none.
@@ -46,21 +52,54 @@ struct ModelMesh {
     std::vector<std::optional<std::uint32_t>> face_material; // by face; index into Model::materials
 };
 
+/// What the file's tree says of an instance beside its place.
+struct ModelNode {
+    std::vector<std::string> groups; // names under which it can be asked for too: of what holds it
+    std::string extras;              // JSON
+};
+
 /// A mesh put in its place; several may share one mesh. `to_world` may mirror (negative determinant): the
 /// winding is left as it is in the mesh, and whoever traces the instance flips the side. It is never
 /// singular.
 struct ModelInstance {
     std::string name;
     Affine to_world;
-    std::uint32_t mesh = 0; // index into Model::meshes
+    std::uint32_t mesh = 0;                  // index into Model::meshes
+    std::shared_ptr<ModelNode const> node{}; // shared by the copies that one node places; may be absent
+};
+
+/// Kept for pictures: tracing does not use it. It looks along −z of its frame, y is up.
+struct ModelCamera {
+    std::string name;
+    Affine to_world;
+    bool perspective = true;
+    double yfov = 0.0;                   // rad, (0, π), of a perspective one
+    double aspect = 0.0;                 // width / height; 0: that of the picture
+    double xmag = 0.0, ymag = 0.0;       // half of the width and height seen, otherwise
+    double znear = 0.0, zfar = INFINITY; // m
+};
+
+/// Kept for pictures (KHR_lights_punctual). It shines along −z of its frame.
+struct ModelLight {
+    enum class Kind { directional, point, spot };
+    std::string name;
+    Affine to_world;
+    Kind kind = Kind::point;
+    std::array<double, 3> color{1.0, 1.0, 1.0}; // linear RGB, [0, 1]
+    double intensity = 1.0;                     // cd; lx of a directional one
+    double range = INFINITY;                    // m
+    double inner_cone = 0.0, outer_cone = 0.0;  // rad, of a spot
 };
 
 struct Model {
     std::vector<ModelMesh> meshes;
     std::vector<ModelMaterial> materials;
     std::vector<ModelInstance> instances; // in the order of the file's tree of nodes
-    std::vector<std::string> warnings;    // what a user should know: what was left out, and why
-    bool in_metres = true;                // false: the file does not say what its lengths are in
+    std::vector<ModelCamera> cameras{};
+    std::vector<ModelLight> lights{};
+    std::vector<std::string> warnings; // what a user should know: what was left out, and why
+    std::string extras{};              // JSON, of the file as a whole
+    bool in_metres = true;             // false: the file does not say what its lengths are in
 };
 
 } // namespace sahl

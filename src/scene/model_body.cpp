@@ -1,183 +1,201 @@
 #include "scene/model_body.h"
 
-#include "math/nearest_name.h"
+#include "math/input_error.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <limits>
+#include <sstream>
 
 namespace sahl {
 
 namespace {
 
-// Where the sRGB primaries' bands meet: a colour of three numbers is taken to hold over red, green and blue
-// light.
-constexpr double blue_to_green = 490e-9; // m
-constexpr double green_to_red = 580e-9;  // m
+/// What the experiment, or else the file, says of a face.
+struct FaceRule {
+    std::optional<SurfaceId> surface;
+    std::optional<MediumId> medium;          // as the experiment says
+    ModelMaterial const* material = nullptr; // where the file decides
+};
 
-MediumId add_medium(Scene& scene, Medium medium) {
-    scene.media.push_back(std::move(medium));
-    return {static_cast<std::uint32_t>(scene.media.size() - 1)};
-}
-
-SurfaceId add_surface(Scene& scene, Surface surface) {
-    scene.surfaces.push_back(std::move(surface));
-    return {static_cast<std::uint32_t>(scene.surfaces.size() - 1)};
-}
-
-std::vector<std::pair<double, double>> absorption_of(ModelVolume const& volume) {
-    if (!std::isfinite(volume.attenuation_distance))
-        return {};
-    std::array<double, 3> alpha{};
-    bool any = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-        // a colour of 0 would absorb without end: what a double's smallest normal number leaves is black
-        // enough
-        double const colour = std::max(volume.attenuation_color[i], std::numeric_limits<double>::min());
-        alpha[i] = -std::log(colour) / volume.attenuation_distance;
-        any = any || alpha[i] > 0.0;
+FaceRule rule_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
+                 ModelMesh const& mesh, std::size_t face) {
+    FaceRule rule{object.surface, object.medium, nullptr};
+    auto const material = mesh.face_material[face];
+    if (!material)
+        return rule;
+    ModelMaterial const& from_file = model.materials[*material];
+    auto const mapping = std::find_if(reference.materials.begin(), reference.materials.end(),
+                                      [&](MaterialMapping const& m) { return m.material == from_file.name; });
+    if (mapping != reference.materials.end()) {
+        rule.surface = mapping->surface;
+        rule.medium = mapping->medium ? mapping->medium : object.medium;
+    } else if (!object.medium && !object.surface) {
+        rule.material = &from_file;
     }
-    if (!any)
-        return {};
-    double const step = 1e-12; // m: bands end as sharply as a table can say
-    return {{blue_to_green - step, alpha[2]},
-            {blue_to_green, alpha[1]},
-            {green_to_red - step, alpha[1]},
-            {green_to_red, alpha[0]}};
+    return rule;
 }
 
-MediumId medium_of(ModelMaterial const& material, Scene& scene, std::string const& name) {
-    for (std::uint32_t i = 0; i < scene.media.size(); ++i) // shared by the faces and bodies that have it
-        if (scene.media[i].name == name)
-            return {i};
-    Medium medium;
-    medium.name = name;
-    medium.index = ConstantIndex{material.ior == 0.0 ? 1.0 : material.ior};
-    if (material.dispersion > 0.0 && material.ior > 1.0)
-        medium.index = AbbeIndex{material.ior, 20.0 / material.dispersion};
-    if (material.volume)
-        medium.absorption = absorption_of(*material.volume);
-    return add_medium(scene, std::move(medium));
+/// A shell of the mesh and what decides about it.
+struct Component {
+    std::uint32_t shell = 0;
+    std::vector<std::size_t> faces; // ascending
+    dvec3 low{0.0}, high{0.0};
+    bool open = false; // a surface, no body
+    std::optional<MediumId> medium;
+    double size() const { return length(high - low); }
+    bool holds(Component const& other) const {
+        return glm::min(low, other.low) == low && glm::max(high, other.high) == high;
+    }
+};
+
+std::vector<Component> components_of(Mesh const& mesh) {
+    std::vector<Component> components(mesh.shells.size());
+    for (std::uint32_t s = 0; s < components.size(); ++s)
+        components[s].shell = s;
+    for (std::size_t t = 0; t < mesh.soup.triangles.size(); ++t) {
+        Component& component = components[mesh.triangle_shell[t]];
+        bool const first = component.faces.empty();
+        for (std::uint32_t const corner : mesh.soup.triangles[t]) {
+            dvec3 const& p = mesh.soup.positions[corner];
+            component.low = first && corner == mesh.soup.triangles[t][0] ? p : glm::min(component.low, p);
+            component.high = first && corner == mesh.soup.triangles[t][0] ? p : glm::max(component.high, p);
+        }
+        std::size_t const face = mesh.soup.triangle_face[t];
+        if (auto const at = std::lower_bound(component.faces.begin(), component.faces.end(), face);
+            at == component.faces.end() || *at != face)
+            component.faces.insert(at, face);
+    }
+    return components;
 }
 
-/// Luminance of a linear colour (ITU-R BT.709 weights): the one reflectance that a colour can stand for.
-double grey(std::array<double, 4> const& colour) {
-    return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
+/// Glass that the file itself says is a body.
+bool has_volume(ModelMaterial const& material) {
+    return is_glass(material) && material.volume && material.volume->thickness_factor > 0.0;
 }
 
-std::optional<SurfaceId> surface_of(ModelMaterial const& material, Scene& scene, std::string const& name) {
-    bool const mirror = material.metallic >= 0.5 || material.ior == 0.0;
-    bool const glass = material.transmission > 0.0 && !mirror;
-    double const tint = grey(material.base_color);
-    if (glass && tint >= 1.0 && material.transmission >= 1.0)
-        return std::nullopt;
-    for (std::uint32_t i = 0; i < scene.surfaces.size(); ++i)
-        if (scene.surfaces[i].name == name)
-            return SurfaceId{i};
-    if (mirror)
-        return add_surface(scene, {name, Shares{tint, 0.0}});
-    if (!glass)
-        return add_surface(scene, {name, Absorber{}});
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "%s: its base colour or transmission below 1 would absorb %.0f %% at each surface; it is "
-                  "traced as clear glass",
-                  name.c_str(), 100.0 * (1.0 - tint * material.transmission));
-    if (std::find(scene.warnings.begin(), scene.warnings.end(), text) == scene.warnings.end())
-        scene.warnings.push_back(text);
-    return std::nullopt;
+bool says_enough(FaceRule const& rule) {
+    return rule.surface || rule.medium || rule.material;
+}
+
+/// Body or open surface, and of which medium.
+void decide(Component& component, Mesh const& mesh, std::vector<FaceRule> const& rules,
+            MaterialBook& materials) {
+    auto const any = [&](auto const& holds) {
+        return std::any_of(component.faces.begin(), component.faces.end(),
+                           [&](std::size_t face) { return holds(rules[face]); });
+    };
+    bool const clear = any([](FaceRule const& rule) { return rule.medium && !rule.surface; });
+    bool const volume = any([](FaceRule const& rule) { return rule.material && has_volume(*rule.material); });
+    component.open = mesh.shells[component.shell].open && !clear && !volume;
+    for (std::size_t const face : component.faces) {
+        FaceRule const& rule = rules[face];
+        if (component.open || component.medium)
+            break;
+        component.medium = rule.medium;
+        if (!clear && rule.material && is_glass(*rule.material))
+            component.medium = materials.medium(*rule.material);
+    }
+}
+
+/// A cavity belongs to the smallest body round it, whatever its own material.
+void give_cavities_to_bodies(std::vector<Component>& components, Mesh const& mesh) {
+    for (Component& cavity : components) {
+        if (mesh.shells[cavity.shell].sign > 0 || cavity.open)
+            continue;
+        Component const* round = nullptr;
+        for (Component const& other : components)
+            if (!other.open && mesh.shells[other.shell].sign > 0 && other.holds(cavity) &&
+                (!round || other.size() < round->size()))
+                round = &other;
+        if (round)
+            cavity.medium = round->medium;
+    }
+}
+
+void report(std::string const& name, Mesh const& mesh, ModelPart const& part,
+            std::vector<FaceRule> const& rules, std::vector<Component> const& components,
+            MaterialBook& materials) {
+    for (Component const& component : components)
+        for (std::size_t const face : component.faces) {
+            ModelMaterial const* const glass = rules[face].material;
+            if (!glass || !is_glass(*glass) || component.open != part.open)
+                continue;
+            if (part.open)
+                materials.warn("mesh " + name + ": it is open and without volume, and material " +
+                               glass->name + " is traced as a thin wall");
+            else if (!has_volume(*glass))
+                materials.warn("mesh " + name + ": material " + glass->name +
+                               " has no volume, which in glTF means a thin wall; the mesh is closed, and is "
+                               "taken as a body of it");
+        }
+    bool const holes = !part.open && std::any_of(part.mesh->shells.begin(), part.mesh->shells.end(),
+                                                 [](MeshShell const& shell) { return shell.open; });
+    if (holes || (!part.open && mesh.non_manifold_edges > 0)) {
+        std::ostringstream text;
+        text << "mesh " << name << ": it is not closed (" << (holes ? mesh.boundary_edges : 0)
+             << " border edges, " << mesh.non_manifold_edges
+             << " edges of more than two triangles): rays that find a hole are counted as leaks; close it in "
+                "the program that made it";
+        materials.warn(text.str());
+    }
 }
 
 } // namespace
 
-ModelBody body_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
-                  ModelMesh const& mesh, Scene& scene) {
-    ModelBody body{object.medium.value_or(scene.surroundings), {}};
-    bool has_medium = object.medium.has_value();
-    for (auto const& material : mesh.face_material) {
-        std::optional<SurfaceId> surface = object.surface;
-        if (material) {
-            ModelMaterial const& from_file = model.materials[*material];
-            auto const mapping =
-                std::find_if(reference.materials.begin(), reference.materials.end(),
-                             [&](MaterialMapping const& m) { return m.material == from_file.name; });
-            std::string const name = object.name + ":" + from_file.name;
-            bool const mapped = mapping != reference.materials.end();
-            if (mapped) {
-                surface = mapping->surface;
-                if (mapping->medium)
-                    body.medium = *mapping->medium;
-                has_medium = has_medium || mapping->medium;
-            } else if (!object.medium && !object.surface) {
-                surface = surface_of(from_file, scene, name);
-                if (!has_medium && from_file.transmission > 0.0) {
-                    body.medium = medium_of(from_file, scene, name);
-                    has_medium = true;
-                }
-            }
+std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
+                                ModelMesh const& source, MaterialBook& materials) {
+    auto const mesh = std::make_shared<Mesh const>(make_mesh(source.soup));
+    std::vector<FaceRule> rules;
+    for (std::size_t face = 0; face < source.face_material.size(); ++face)
+        rules.push_back(rule_of(object, reference, model, source, face));
+    std::vector<Component> components = components_of(*mesh);
+    for (Component& component : components) {
+        for (std::size_t const face : component.faces)
+            if (!says_enough(rules[face]))
+                throw InputError(reference.place.text(),
+                                 "nothing says what mesh " + source.name + " of object '" + object.name +
+                                     "' is made of: it has no material",
+                                 "give the object a medium or a surface");
+        decide(component, *mesh, rules, materials);
+    }
+    give_cavities_to_bodies(components, *mesh);
+
+    std::stable_sort(components.begin(), components.end(),
+                     [](Component const& a, Component const& b) { return a.size() > b.size(); });
+    std::vector<ModelPart> parts;
+    std::vector<std::vector<std::uint32_t>> shells;
+    for (Component const& component : components) {
+        std::size_t i = 0;
+        while (i < parts.size() && (parts[i].open != component.open || parts[i].medium != component.medium))
+            ++i;
+        if (i == parts.size()) {
+            auto const material = source.face_material[component.faces.front()];
+            parts.push_back({mesh,
+                             component.open,
+                             component.medium,
+                             component.open ? "open"
+                             : material     ? model.materials[*material].name
+                                            : "part",
+                             {}});
+            shells.emplace_back();
         }
-        body.surfaces.push_back(surface);
+        shells[i].push_back(component.shell);
     }
-    for (std::size_t face = 0; face < body.surfaces.size(); ++face)
-        for (auto const& [name, surface] : object.faces)
-            if (name == mesh.soup.face_names[face])
-                body.surfaces[face] = surface;
-    bool const clear =
-        std::any_of(body.surfaces.begin(), body.surfaces.end(), [](auto const& s) { return !s; });
-    if (clear && !has_medium)
-        throw InputError(reference.place.text(),
-                         "nothing says what the model of '" + object.name + "' is made of",
-                         "give the object a medium, or map the file's materials with materials = {…}");
-    return body;
-}
-
-bool wants_part(ModelReference const& reference, std::string const& instance) {
-    return reference.parts.empty() ||
-           std::any_of(reference.parts.begin(), reference.parts.end(),
-                       [&](auto const& part) { return part == "*" || part == instance; });
-}
-
-InputError no_such_part(ModelReference const& reference, Model const& model) {
-    std::vector<std::string> known;
-    std::string list;
-    for (ModelInstance const& instance : model.instances) {
-        known.push_back(instance.name);
-        if (known.size() <= 20)
-            list += (list.empty() ? "" : ", ") + instance.name;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        ModelPart& part = parts[i];
+        if (parts.size() > 1)
+            part.mesh = std::make_shared<Mesh const>(part_of(*mesh, shells[i]));
+        std::vector<bool> used(rules.size(), false);
+        for (std::uint32_t const face : part.mesh->soup.triangle_face)
+            used[face] = true;
+        for (std::size_t face = 0; face < rules.size(); ++face) {
+            ModelMaterial const* const from_file = used[face] ? rules[face].material : nullptr;
+            part.surfaces.push_back(!from_file  ? rules[face].surface
+                                    : part.open ? std::optional(materials.sheet(*from_file))
+                                                : materials.boundary(*from_file));
+        }
+        report(source.name, *mesh, part, rules, components, materials);
     }
-    if (known.empty())
-        return InputError(reference.place.text(), reference.path.string() + " has no mesh in its scene",
-                          "export the objects themselves, not only cameras and lights");
-    return InputError(reference.place.text(), "none of the parts is in " + reference.path.string(),
-                      "it has: " + list + "; nearest to '" + reference.parts.front() + "' is '" +
-                          nearest_name(reference.parts.front(), known) + "'");
-}
-
-void check_mapping(ModelReference const& reference, Model const& model) {
-    std::vector<std::string> known;
-    for (ModelMaterial const& material : model.materials)
-        known.push_back(material.name);
-    for (MaterialMapping const& mapping : reference.materials)
-        if (std::find(known.begin(), known.end(), mapping.material) == known.end())
-            throw InputError(mapping.place.text(),
-                             reference.path.string() + " has no material '" + mapping.material + "'",
-                             known.empty() ? "it has no materials: give the object a medium"
-                                           : "did you mean '" + nearest_name(mapping.material, known) + "'?");
-}
-
-std::string unique_name(Scene const& scene, std::string const& object, std::string node) {
-    std::replace(node.begin(), node.end(), '.', '_');
-    auto const taken = [&](std::string const& name) {
-        return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                           [&](Body const& b) { return b.name == name; });
-    };
-    std::string const name = object + "." + (node.empty() ? "part" : node);
-    if (!taken(name))
-        return name;
-    for (int number = 2;; ++number)
-        if (std::string const numbered = name + "_" + std::to_string(number); !taken(numbered))
-            return numbered;
+    return parts;
 }
 
 Method object_method(Mesh const& mesh, Method asked) {

@@ -1,32 +1,34 @@
-// In: a model's materials and what the experiment maps them to. Out: what its bodies and their faces are made
-// of.
+// In: a mesh of a model, its materials, and what the experiment maps them to. Out: the bodies and open
+// surfaces that it is traced as.
 #pragma once
 
-#include "math/input_error.h"
 #include "scene/model.h"
+#include "scene/model_material.h"
 #include "scene/scene.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace sahl {
 
-struct ModelBody {
-    MediumId medium;
+/// Shells of a mesh that make one body of one medium, or its open surfaces.
+struct ModelPart {
+    std::shared_ptr<Mesh const> mesh;
+    bool open = false;
+    std::optional<MediumId> medium;                 // of a body that light can be in
+    std::string label;                              // for a name, where a mesh has several parts
     std::vector<std::optional<SurfaceId>> surfaces; // by face
 };
 
-/// Media and surfaces that only the file describes are added to the scene. A mapping of the experiment goes
-/// before the object's medium and surface, and those before what the file says.
-ModelBody body_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
-                  ModelMesh const& mesh, Scene& scene);
-
-/// Does the experiment want the instance of this name?
-bool wants_part(ModelReference const& reference, std::string const& instance);
-InputError no_such_part(ModelReference const& reference, Model const& model);
-
-/// Throws where the experiment maps a material that the model does not have.
-void check_mapping(ModelReference const& reference, Model const& model);
-
-/// "object.node", with dots replaced and a number added where it is taken.
-std::string unique_name(Scene const& scene, std::string const& object, std::string node);
+/// The parts of one mesh, which all its instances share; larger ones first, so that what lies inside another
+/// is there. A mapping of the experiment goes before the object's medium and surface, and those before what
+/// the file says. A closed component of glass is a body. An open one is a thin wall of glass or a surface,
+/// unless the experiment itself says what medium it is: then a body with holes. Throws InputError where
+/// nothing says what a component is made of.
+std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
+                                ModelMesh const& source, MaterialBook& materials);
 
 /// Interpolated where the mesh has normals, unless the experiment asks for one method.
 Method object_method(Mesh const& mesh, Method asked);

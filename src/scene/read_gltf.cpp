@@ -15,10 +15,12 @@ Model read_gltf(std::filesystem::path const& path) {
 
     model.materials = gltf_materials(tree);
     model.meshes = gltf_meshes(parsed, model.materials, file.name(), model.warnings);
-    model.instances = gltf_instances(parsed, file.name(), model.warnings);
-    if (tree.find("animations"))
-        model.warnings.push_back(file.name() +
-                                 ": animations are left out: nodes stand where they are at rest");
+    GltfScene scene = gltf_scene(parsed, tree, model.warnings);
+    model.instances = std::move(scene.instances);
+    add_cameras_and_lights(tree, scene.others, model);
+    model.extras = gltf::extras_of(tree);
+    warn_of_harmless_faults(file, tree, model.warnings);
+    warn_of_accessors(parsed, tree, model.warnings);
     return model;
 }
 

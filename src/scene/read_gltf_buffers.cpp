@@ -124,6 +124,12 @@ void make_indices_an_attribute(Value& primitive) {
         std::find_if(table.begin(), table.end(), [](auto const& entry) { return entry.first == "indices"; }));
 }
 
+bool is_accessor_type(std::string const& type) {
+    constexpr std::array<std::string_view, 7> known = {"SCALAR", "VEC2", "VEC3", "VEC4",
+                                                       "MAT2",   "MAT3", "MAT4"};
+    return std::find(known.begin(), known.end(), type) != known.end();
+}
+
 /// The part of the tree that says where triangles are.
 Value structure_of(Value const& tree) {
     constexpr std::array<std::string_view, 7> kept = {"asset",  "scene",     "scenes",     "nodes",
@@ -133,6 +139,10 @@ Value structure_of(Value const& tree) {
         if (std::find(kept.begin(), kept.end(), entry.first) != kept.end())
             table.push_back(entry);
     Value structure{std::move(table), tree.place};
+    if (Value* const accessors = structure.find("accessors"))
+        for (Value& accessor : std::get<Array>(accessors->data))
+            if (auto& type = std::get<std::string>(accessor.find("type")->data); !is_accessor_type(type))
+                type = "MAT4"; // what no mesh can use: an unknown type is refused where a mesh does
     if (Value* const meshes = structure.find("meshes"))
         for (Value& mesh : std::get<Array>(meshes->data))
             for (Value& primitive : std::get<Array>(mesh.find("primitives")->data))

@@ -34,46 +34,52 @@ void check_views(Value const& tree) {
     });
 }
 
-/// Honoured, or of no effect on where light goes; the second part is what to warn of.
-struct KnownExtension {
-    std::string_view name, warning;
+/// Honoured, or of no effect on where light goes, or warned of where a material has it.
+constexpr std::string_view known_extensions[] = {
+    "KHR_materials_ior",        "KHR_materials_transmission",
+    "KHR_materials_volume",     "KHR_materials_dispersion",
+    "KHR_materials_specular",   "KHR_materials_iridescence",
+    "KHR_materials_clearcoat",  "KHR_materials_sheen",
+    "KHR_materials_anisotropy", "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",      "KHR_materials_diffuse_transmission",
+    "KHR_mesh_quantization",    "EXT_mesh_gpu_instancing",
+    "KHR_lights_punctual",      "KHR_texture_transform",
+    "KHR_texture_basisu",       "EXT_texture_webp",
+    "EXT_texture_avif",         "KHR_xmp_json_ld",
+    "KHR_materials_variants",   "KHR_materials_pbrSpecularGlossiness",
 };
-constexpr KnownExtension known_extensions[] = {
-    {"KHR_materials_ior", ""},
-    {"KHR_materials_transmission", ""},
-    {"KHR_materials_volume", ""},
-    {"KHR_materials_dispersion", ""},
-    {"KHR_mesh_quantization", ""},
-    {"EXT_mesh_gpu_instancing", ""},
-    {"KHR_materials_specular", "it is left out: reflection follows Fresnel's equations exactly"},
-    {"KHR_materials_iridescence", "it is left out: reflection follows Fresnel's equations exactly"},
-    {"KHR_materials_unlit", "it is left out"},
-    {"KHR_lights_punctual", "lights are left out: name sources in the experiment"},
-    {"KHR_texture_transform", "it is left out: textures are not read"},
-};
+
+/// How to export without a kind of compression.
+std::string remedy_for(std::string const& extension) {
+    if (extension == "KHR_draco_mesh_compression")
+        return "export without compression (Blender: untick Compression; or gltf-transform copy IN OUT, "
+               "which "
+               "decodes Draco)";
+    if (extension.find("meshopt") != std::string::npos)
+        return "export without compression (gltfpack: leave out -c and -cc; or gltf-transform copy IN OUT, "
+               "which "
+               "decodes meshopt)";
+    return "export without this extension";
+}
 
 void check_extensions(Value const& tree, std::string const& file, std::vector<std::string>& warnings) {
     auto const known = [](std::string const& name) {
-        auto const* const found = std::find_if(std::begin(known_extensions), std::end(known_extensions),
-                                               [&](KnownExtension const& one) { return one.name == name; });
-        return found == std::end(known_extensions) ? nullptr : found;
+        return std::find(std::begin(known_extensions), std::end(known_extensions), name) !=
+               std::end(known_extensions);
     };
     for_each_match(tree, "/extensionsRequired/*", [&](Value const& value) {
         std::string const& name = std::get<std::string>(value.data);
-        bool const compressed =
-            name.find("draco") != std::string::npos || name.find("meshopt") != std::string::npos;
         if (!known(name))
             throw InputError(value.place.text(),
-                             "the file requires " + name + ", which this program does not have",
-                             compressed ? "export without compression" : "export without this extension");
+                             "the file requires " + name.substr(0, 100) +
+                                 ", which this program does not have",
+                             remedy_for(name));
     });
     for_each_match(tree, "/extensionsUsed/*", [&](Value const& value) {
         std::string const& name = std::get<std::string>(value.data);
-        KnownExtension const* const one = known(name);
-        if (!one || !one->warning.empty())
-            warnings.push_back(
-                file + ": " + name + ": " +
-                (one ? std::string(one->warning) : "this extension is not known, and left out"));
+        if (!known(name))
+            warnings.push_back(file + ": the extension " + name.substr(0, 100) +
+                               " is not known, and left out");
     });
 }
 
@@ -89,9 +95,29 @@ void check_for_plain_copy(Value const& tree) {
         if (accessors && position < std::get<Array>(accessors->data).size() &&
             !std::get<Array>(accessors->data)[position].find("bufferView"))
             throw InputError(primitive.place.text(), "it is stored with KHR_draco_mesh_compression alone",
-                             "export without compression");
+                             remedy_for("KHR_draco_mesh_compression"));
     };
     for_each_match(tree, "/meshes/*/primitives/*", refuse_bare);
+}
+
+/// The minor number of version "2.N"; InputError where it is no version 2.
+int minor_version(Value const& version) {
+    std::string const& text = std::get<std::string>(version.data);
+    std::string const digits = text.size() > 2 && text.size() < 6 ? text.substr(2) : "";
+    if (text.rfind("2.", 0) != 0 || digits.empty() ||
+        digits.find_first_not_of("0123456789") != std::string::npos)
+        throw InputError(version.place.text(), "this is glTF " + text.substr(0, 20), "export as glTF 2.0");
+    return std::stoi(digits);
+}
+
+void check_version(Value const& asset, std::vector<std::string>& warnings) {
+    int const minor = minor_version(*asset.find("version"));
+    Value const* const least = asset.find("minVersion");
+    if (least && minor_version(*least) > minor)
+        throw InputError(least->place.text(), "it is above the file's own version", "export as glTF 2.0");
+    if (minor > 0)
+        warnings.push_back(asset.find("version")->place.text() + ": glTF 2." + std::to_string(minor) +
+                           " is read as glTF 2.0: what is new in it is left out");
 }
 
 /// How many values a JSON text may have: each takes some hundred bytes of the tree.
@@ -121,10 +147,7 @@ Value checked_gltf_tree(GltfFile const& file, std::vector<std::string>& warnings
     if (!std::holds_alternative<Table>(tree.data))
         throw InputError(file.name(), "this is no glTF: its JSON is not an object", "name a glTF 2.0 file");
     check_gltf_types(tree);
-    if (std::string const& version = std::get<std::string>(tree.find("asset")->find("version")->data);
-        version.rfind("2.", 0) != 0)
-        throw InputError(tree.find("asset")->place.text(), "this is glTF " + version.substr(0, 20),
-                         "export as glTF 2.0");
+    check_version(*tree.find("asset"), warnings);
     check_extensions(tree, file.name(), warnings);
     check_for_plain_copy(tree);
     check_views(tree);

@@ -44,13 +44,32 @@ void find_chunks(GltfFile& file) {
         throw damaged("its first chunk is not JSON, or reaches past the end");
     file.json_begin = 20;
     file.json_size = json_size;
-    std::uint64_t const second = 20 + json_size;
-    if (second + 8 <= length && little_endian(file.bytes, second + 4) == bin_chunk) {
-        file.bin_begin = second + 8;
-        file.bin_size = little_endian(file.bytes, second);
-        if (file.bin_begin + file.bin_size > length)
-            throw damaged("its BIN chunk reaches past the end");
+    // a BIN chunk comes second, and chunks of other types may follow; chunks end at multiples of 4 bytes
+    std::uint64_t begin = 20 + json_size;
+    if (begin % 4 != 0)
+        file.faults.push_back("a chunk does not end at a multiple of 4 bytes");
+    for (int number = 1; begin + 8 <= length; ++number) {
+        std::uint64_t const bytes = little_endian(file.bytes, begin);
+        std::uint32_t const type = little_endian(file.bytes, begin + 4);
+        if (begin + 8 + bytes > length)
+            throw damaged(type == bin_chunk ? "its BIN chunk reaches past the end"
+                                            : "a chunk reaches past the end");
+        if (number == 1 && type == bin_chunk) {
+            file.bin_begin = begin + 8;
+            file.bin_size = bytes;
+        } else if (type == bin_chunk || type == json_chunk) {
+            file.faults.push_back("there is more than one chunk of a kind: the first counts");
+        }
+        if (bytes % 4 != 0)
+            file.faults.push_back("a chunk does not end at a multiple of 4 bytes");
+        begin += 8 + bytes;
+        if (number == 1000)
+            break;
     }
+    if (begin < length)
+        file.faults.push_back("bytes follow its last chunk");
+    if (length < size)
+        file.faults.push_back("bytes follow the length that its header says");
 }
 
 } // namespace

@@ -4,41 +4,17 @@
 
 #include "math/input_error.h"
 
-#include <charconv>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace sahl {
 
 namespace {
 
-Value const* find(Value const* table, std::string_view key) {
-    return table ? table->find(key) : nullptr;
-}
-
-double number(Value const& value) {
-    auto const* integer = std::get_if<std::int64_t>(&value.data);
-    return integer ? static_cast<double>(*integer) : std::get<double>(value.data);
-}
-
-std::string text(double number) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr};
-}
-
-double at_least(Value const* value, double low, double otherwise, std::string const& remedy) {
-    if (!value)
-        return otherwise;
-    double const n = number(*value);
-    if (n < low)
-        throw InputError(value->place.text(), text(n) + " is below " + text(low), remedy);
-    return n;
-}
-
-double share(Value const* value, double otherwise) {
-    double const n = at_least(value, 0.0, otherwise, "give a number from 0 to 1");
-    if (n > 1.0)
-        throw InputError(value->place.text(), text(n) + " is above 1", "give a number from 0 to 1");
-    return n;
-}
+using gltf::at_least;
+using gltf::find;
+using gltf::share;
 
 template <std::size_t size>
 void read_shares(Value const* list, std::array<double, size>& shares) {
@@ -47,7 +23,7 @@ void read_shares(Value const* list, std::array<double, size>& shares) {
 }
 
 double read_ior(Value const* value) {
-    if (value && number(*value) == 0.0)
+    if (at_least(value, 0.0, 1.5, "give 1 or more, or 0 for an ideal mirror") == 0.0)
         return 0.0;
     return at_least(value, 1.0, 1.5, "give 1 or more, or 0 for an ideal mirror");
 }
@@ -74,18 +50,80 @@ AlphaMode read_alpha_mode(Value const* value) {
     return name == "OPAQUE" ? AlphaMode::opaque : name == "MASK" ? AlphaMode::mask : AlphaMode::blend;
 }
 
-void warn_of_what_is_left_out(ModelMaterial& material, Value const* pbr, Value const* extensions) {
+/// Extensions of a material that change what it looks like and are not modelled.
+constexpr std::pair<std::string_view, std::string_view> left_out[] = {
+    {"KHR_materials_iridescence", "its iridescence is not modelled: reflection follows Fresnel's equations"},
+    {"KHR_materials_clearcoat", "its clear coat is not modelled"},
+    {"KHR_materials_sheen", "its sheen is not modelled"},
+    {"KHR_materials_anisotropy", "its anisotropy is not modelled"},
+    {"KHR_materials_diffuse_transmission", "its diffuse transmission is not modelled"},
+    {"KHR_materials_subsurface", "its subsurface scattering is not modelled"},
+    {"KHR_materials_emissive_strength", "it emits no light: name sources in the experiment"},
+    {"KHR_materials_unlit", "unlit has no meaning for tracing: it is read as any other material"},
+    {"KHR_materials_pbrSpecularGlossiness",
+     "its specular-glossiness values are not read; export metallic-roughness"},
+};
+
+bool any_texture(Value const* table) {
+    if (auto const* const entries = table ? std::get_if<Table>(&table->data) : nullptr)
+        for (auto const& [key, value] : *entries)
+            if (key.size() >= 7 && key.compare(key.size() - 7, 7, "Texture") == 0)
+                return true;
+    return false;
+}
+
+bool emits(Value const& entry) {
+    Value const* const factor = entry.find("emissiveFactor");
+    auto const* const list = factor ? std::get_if<Array>(&factor->data) : nullptr;
+    return list && std::any_of(list->begin(), list->end(), [](Value const& value) {
+               return value.is_number() && at_least(&value, -INFINITY, 0.0, "") > 0.0;
+           });
+}
+
+void warn_of_what_is_left_out(ModelMaterial& material, Value const& entry) {
+    Value const* const pbr = entry.find("pbrMetallicRoughness");
+    Value const* const extensions = entry.find("extensions");
     auto const warn = [&](std::string const& what) {
-        material.warnings.push_back(material.name + ": " + what);
+        material.warnings.push_back("material " + material.name + ": " + what);
     };
-    if (find(pbr, "baseColorTexture"))
-        warn("its base colour texture is not read; the factor is taken for all of it");
-    if (find(find(extensions, "KHR_materials_transmission"), "transmissionTexture"))
-        warn("its transmission texture is not read; the factor is taken for all of it");
-    if (material.transmission > 0.0 && material.roughness > 0.0)
-        warn("its roughness is left out: surfaces are smooth");
+    bool textures = any_texture(&entry) || any_texture(pbr);
+    if (auto const* const all = extensions ? std::get_if<Table>(&extensions->data) : nullptr)
+        for (auto const& [name, extension] : *all)
+            textures = textures || any_texture(&extension);
+    if (textures)
+        warn("its textures are not read; the factors are taken for all of it");
+    bool const shiny = material.transmission > 0.0 || material.metallic > 0.0;
+    if (shiny && material.roughness > 0.0)
+        warn("its roughness of " + gltf::text(material.roughness) + " is not modelled: surfaces are smooth");
+    if (material.transmission > 0.0 && material.metallic >= 1.0)
+        warn("its metallic factor of 1, which is glTF's default, hides its transmission: it is a mirror; for "
+             "glass "
+             "make it 0");
+    if (!pbr || std::get<Table>(pbr->data).empty())
+        if (material.transmission == 0.0)
+            warn("it says nothing of its substance, which in glTF means a white metal: it reflects all. "
+                 "Blender's "
+                 "Glass BSDF is exported so; use the Principled BSDF with transmission, or map it with "
+                 "materials");
     if (material.alpha_mode == AlphaMode::blend)
-        warn("alpha blending is coverage, not glass; for glass export transmission");
+        warn(material.transmission > 0.0 ? "its alpha, which is coverage and not glass, is not modelled"
+                                         : "alpha blending is coverage, not glass: the share of light that "
+                                           "it does not cover goes straight "
+                                           "on; for glass export transmission");
+    if (emits(entry))
+        warn("it emits no light: name sources in the experiment");
+    if (find(extensions, "KHR_materials_specular") && material.ior != 0.0)
+        warn("its specular factors are not modelled: reflection follows Fresnel's equations");
+    for (auto const& [name, text] : left_out)
+        if (find(extensions, name))
+            warn(std::string(text));
+}
+
+void read_specular(ModelMaterial& material, Value const* extension) {
+    material.specular = share(find(extension, "specularFactor"), 1.0);
+    Value const* const color = find(extension, "specularColorFactor");
+    for (std::size_t i = 0; color && i < 3; ++i)
+        material.specular_color[i] = at_least(&std::get<Array>(color->data)[i], 0.0, 1.0, "give 0 or more");
 }
 
 } // namespace
@@ -96,13 +134,10 @@ std::vector<ModelMaterial> gltf_materials(Value const& tree) {
     for (Value const& entry : list ? std::get<Array>(list->data) : Array()) {
         Value const* const pbr = entry.find("pbrMetallicRoughness");
         Value const* const extensions = entry.find("extensions");
-        Value const* const name = entry.find("name");
         Value const* const sided = entry.find("doubleSided");
 
         ModelMaterial material;
-        material.name = name ? std::get<std::string>(name->data) : "";
-        if (material.name.empty())
-            material.name = "material_" + std::to_string(materials.size());
+        material.name = gltf::name_or(entry, "material_" + std::to_string(materials.size()));
         read_shares(find(pbr, "baseColorFactor"), material.base_color);
         material.metallic = share(find(pbr, "metallicFactor"), 1.0);
         material.roughness = share(find(pbr, "roughnessFactor"), 1.0);
@@ -111,10 +146,13 @@ std::vector<ModelMaterial> gltf_materials(Value const& tree) {
         material.ior = read_ior(find(find(extensions, "KHR_materials_ior"), "ior"));
         material.dispersion = at_least(find(find(extensions, "KHR_materials_dispersion"), "dispersion"), 0.0,
                                        0.0, "give 20 / V_d, or 0 for none");
+        read_specular(material, find(extensions, "KHR_materials_specular"));
         material.volume = read_volume(find(extensions, "KHR_materials_volume"));
         material.alpha_mode = read_alpha_mode(entry.find("alphaMode"));
+        material.alpha_cutoff = at_least(entry.find("alphaCutoff"), 0.0, 0.5, "give 0 or more");
         material.double_sided = sided && std::get<bool>(sided->data);
-        warn_of_what_is_left_out(material, pbr, extensions);
+        material.extras = gltf::extras_of(entry);
+        warn_of_what_is_left_out(material, entry);
         materials.push_back(std::move(material));
     }
     return materials;

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace sahl {
@@ -176,6 +177,22 @@ bool has_area(tinygltf::Primitive const& primitive) {
     return primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
+/// A buffer may have no bytes of its own, for an extension to bring them (glTF 2.0, section 3.6.1.1).
+bool lacks_bytes(tinygltf::Model const& model, tinygltf::Primitive const& primitive) {
+    for (char const* const name : {"POSITION", "NORMAL", gltf_indices_attribute}) {
+        auto const accessor = static_cast<std::size_t>(attribute(primitive, name));
+        if (accessor >= model.accessors.size())
+            continue;
+        auto const view = static_cast<std::size_t>(model.accessors[accessor].bufferView);
+        if (view >= model.bufferViews.size())
+            continue;
+        auto const buffer = static_cast<std::size_t>(model.bufferViews[view].buffer);
+        if (buffer < model.buffers.size() && model.buffers[buffer].data.empty())
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<ModelMaterial> const& materials,
@@ -185,7 +202,8 @@ std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<Mod
     for (tinygltf::Mesh const& source : model.meshes) {
         std::string const place = file + ": /meshes/" + std::to_string(meshes.size());
         ModelMesh mesh;
-        mesh.name = source.name.empty() ? "mesh_" + std::to_string(meshes.size()) : source.name;
+        mesh.name =
+            source.name.empty() ? "mesh_" + std::to_string(meshes.size()) : gltf::short_name(source.name);
         bool any_normals = false;
         for (tinygltf::Primitive const& primitive : source.primitives)
             any_normals = any_normals || (has_area(primitive) && attribute(primitive, "NORMAL") >= 0);
@@ -196,11 +214,13 @@ std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<Mod
             if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
                 throw InputError(here + "/mode", "there is no mode " + std::to_string(primitive.mode),
                                  "give 0 to 6");
-            bool const missing = attribute(primitive, "POSITION") < 0;
-            if (missing || !has_area(primitive)) {
-                warnings.push_back(here +
-                                   (missing ? ": it has no POSITION" : ": points and lines have no area") +
-                                   ", and is left out");
+            std::string_view const fault = attribute(primitive, "POSITION") < 0 ? "it has no POSITION"
+                                           : !has_area(primitive) ? "points and lines have no area"
+                                           : lacks_bytes(model, primitive)
+                                               ? "its buffer names no file and has no data"
+                                               : "";
+            if (!fault.empty()) {
+                warnings.push_back(here + ": " + std::string(fault) + ": it is left out");
                 continue;
             }
             std::optional<std::uint32_t> material;

@@ -6,6 +6,8 @@
 #include <tiny_gltf.h>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace sahl {
 
@@ -41,6 +43,9 @@ Affine affine_of(std::vector<double> const& move, std::vector<double> const& tur
 
 Affine local_transform(tinygltf::Node const& node, std::string const& place) {
     auto const& m = node.matrix;
+    if (!m.empty() && !(node.translation.empty() && node.rotation.empty() && node.scale.empty()))
+        throw InputError(place + "/matrix", "a matrix and a translation, rotation or scale stand together",
+                         "keep one of the two");
     if (m.empty())
         return affine_of(node.translation, node.rotation, node.scale, place + "/rotation");
     if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
@@ -112,73 +117,117 @@ std::vector<int> roots_of(tinygltf::Model const& model, std::string const& file)
     return roots;
 }
 
+constexpr std::uint32_t no_parent = 0xFFFFFFFFu;
+constexpr std::size_t most_groups = 32; // names of parents by which an instance can be asked for
+
 struct Step {
     int node;
-    Affine parent;
-    std::string from; // place of what refers to it
+    Affine to_parent;
+    std::uint32_t parent;
 };
 
+struct Walk {
+    tinygltf::Model const& model;
+    Value const& tree;
+    std::vector<std::string>& warnings;
+    std::vector<std::uint32_t> parent_of; // by node
+    AccessorBudget budget{};
+    GltfScene scene{};
+
+    std::string place(std::size_t node) const { return tree.place.file + ": /nodes/" + std::to_string(node); }
+    std::string name(std::size_t node) const {
+        return model.nodes[node].name.empty() ? "node_" + std::to_string(node)
+                                              : gltf::short_name(model.nodes[node].name);
+    }
+    std::vector<std::string> groups(std::uint32_t node) const;
+    void place_mesh(std::size_t number, Affine const& to_world);
+};
+
+/// The names of a node's parents, nearest first.
+std::vector<std::string> Walk::groups(std::uint32_t node) const {
+    std::vector<std::string> names;
+    for (node = parent_of[node]; node != no_parent && names.size() < most_groups; node = parent_of[node])
+        if (!model.nodes[node].name.empty())
+            names.push_back(gltf::short_name(model.nodes[node].name));
+    return names;
+}
+
 /// Places a node's mesh, as often as it asks for.
-void place_mesh(tinygltf::Model const& model, tinygltf::Node const& node, std::size_t number,
-                Affine const& to_world, std::string const& place, AccessorBudget& budget,
-                std::vector<ModelInstance>& instances, std::vector<std::string>& warnings) {
+void Walk::place_mesh(std::size_t number, Affine const& to_world) {
+    tinygltf::Node const& node = model.nodes[number];
+    std::string const here = place(number);
     if (static_cast<std::size_t>(node.mesh) >= model.meshes.size())
-        throw InputError(place + "/mesh", "there is no mesh " + std::to_string(node.mesh),
+        throw InputError(here + "/mesh", "there is no mesh " + std::to_string(node.mesh),
                          "export the file again");
     if (node.skin >= 0)
-        warnings.push_back(place + "/skin: skins are left out: the mesh has its rest shape");
-    std::string const name = node.name.empty() ? "node_" + std::to_string(number) : node.name;
-    std::vector<Affine> const copies = copies_of(model, node, place, budget);
+        warnings.push_back(here + "/skin: skins are left out: the mesh has its rest shape");
+    std::vector<Affine> const copies = copies_of(model, node, here, budget);
+    ModelNode about{groups(static_cast<std::uint32_t>(number)),
+                    gltf::extras_of(std::get<Array>(tree.find("nodes")->data)[number])};
+    if (copies.size() != 1)
+        about.groups.insert(about.groups.begin(), name(number));
+    ModelInstance instance{name(number),
+                           {},
+                           static_cast<std::uint32_t>(node.mesh),
+                           std::make_shared<ModelNode const>(std::move(about))};
     for (std::size_t i = 0; i < copies.size(); ++i) {
-        Affine const map = compose(to_world, copies[i]);
-        if (!is_finite(map))
-            throw InputError(place, "its transform, with its parents', is not finite",
+        instance.to_world = compose(to_world, copies[i]);
+        if (!is_finite(instance.to_world))
+            throw InputError(here, "its transform, with its parents', is not finite",
                              "make the numbers smaller");
-        if (glm::determinant(map.linear) == 0.0 || !is_finite(inverse(map))) {
-            warnings.push_back(place + ": it is flattened by a scale of 0, and left out");
+        if (glm::determinant(instance.to_world.linear) == 0.0 || !is_finite(inverse(instance.to_world))) {
+            warnings.push_back(here + ": it is flattened by a scale of 0, and left out");
             continue;
         }
-        if (instances.size() == most_instances)
-            throw InputError(place, "there are more than 100000 instances", "split the model");
-        instances.push_back({copies.size() == 1 ? name : name + "_" + std::to_string(i), map,
-                             static_cast<std::uint32_t>(node.mesh)});
+        if (scene.instances.size() == most_instances)
+            throw InputError(here, "there are more than 100000 instances", "split the model");
+        if (copies.size() != 1)
+            instance.name = name(number) + "_" + std::to_string(i);
+        scene.instances.push_back(instance);
     }
+}
+
+bool has_camera_or_light(tinygltf::Node const& node) {
+    return node.camera >= 0 || node.extensions.count("KHR_lights_punctual") > 0;
 }
 
 } // namespace
 
-std::vector<ModelInstance> gltf_instances(tinygltf::Model const& model, std::string const& file,
-                                          std::vector<std::string>& warnings) {
-    std::vector<ModelInstance> instances;
+GltfScene gltf_scene(tinygltf::Model const& model, Value const& tree, std::vector<std::string>& warnings) {
+    std::string const& file = tree.place.file;
+    Walk walk{model, tree, warnings, std::vector<std::uint32_t>(model.nodes.size(), no_parent)};
     std::vector<bool> seen(model.nodes.size(), false);
     std::vector<Step> stack;
-    AccessorBudget budget;
-    auto const push = [&](std::vector<int> const& nodes, Affine const& parent, std::string const& from) {
+    auto const push = [&](std::vector<int> const& nodes, Affine const& to_parent, std::uint32_t parent) {
         for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-            stack.push_back({*node, parent, from});
+            stack.push_back({*node, to_parent, parent});
     };
-    push(roots_of(model, file), Affine(), file + ": /scenes");
+    push(roots_of(model, file), Affine(), no_parent);
     while (!stack.empty()) {
         Step const step = stack.back();
         stack.pop_back();
         std::size_t const number = static_cast<std::size_t>(step.node);
-        std::string const place = file + ": /nodes/" + std::to_string(step.node);
         if (step.node < 0 || number >= seen.size())
-            throw InputError(step.from, "there is no node " + std::to_string(step.node),
-                             "export the file again");
+            throw InputError(step.parent == no_parent ? file + ": /scenes"
+                                                      : walk.place(step.parent) + "/children",
+                             "there is no node " + std::to_string(step.node), "export the file again");
         if (seen[number])
-            throw InputError(place, "more than one path leads to it, and glTF's nodes form a tree",
+            throw InputError(walk.place(number),
+                             "more than one path leads to it, and glTF's nodes form a tree",
                              "give each parent a node of its own; they may share a mesh");
         seen[number] = true;
+        walk.parent_of[number] = step.parent;
         tinygltf::Node const& node = model.nodes[number];
-        Affine const to_world = compose(step.parent, local_transform(node, place));
+        Affine const to_world = compose(step.to_parent, local_transform(node, walk.place(number)));
         if (node.mesh >= 0)
-            place_mesh(model, node, number, to_world, place, budget, instances, warnings);
-        push(node.children, to_world, place + "/children");
+            walk.place_mesh(number, to_world);
+        if (has_camera_or_light(node))
+            walk.scene.others.push_back({number, to_world});
+        push(node.children, to_world, static_cast<std::uint32_t>(number));
     }
-    if (instances.empty())
+    if (walk.scene.instances.empty())
         warnings.push_back(file + ": no node of its scene places a mesh");
-    return instances;
+    return std::move(walk.scene);
 }
 
 } // namespace sahl

@@ -31,6 +31,7 @@ struct GltfFile {
     std::vector<unsigned char> bytes;
     std::size_t json_begin = 0, json_size = 0;
     std::size_t bin_begin = 0, bin_size = 0; // of a .glb's binary chunk; size 0: none
+    std::vector<std::string> faults{};       // of a .glb's chunks, none of them in the way of reading
 
     std::string name() const { return path.string(); }
     std::string_view json() const {
@@ -89,8 +90,47 @@ std::vector<double> accessor_numbers(tinygltf::Model const& model, int accessor,
 std::vector<ModelMaterial> gltf_materials(Value const& tree);
 std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<ModelMaterial> const& materials,
                                    std::string const& file, std::vector<std::string>& warnings);
-/// The nodes of the default scene (else of the first; without scenes all) that have a mesh.
-std::vector<ModelInstance> gltf_instances(tinygltf::Model const& model, std::string const& file,
-                                          std::vector<std::string>& warnings);
+
+/// A node with a camera or a light, and where it stands.
+struct PlacedNode {
+    std::size_t number = 0;
+    Affine to_world;
+};
+
+/// What the nodes of the default scene (else of the first; without scenes all) place.
+struct GltfScene {
+    std::vector<ModelInstance> instances; // of nodes that have a mesh
+    std::vector<PlacedNode> others;
+};
+GltfScene gltf_scene(tinygltf::Model const& model, Value const& tree, std::vector<std::string>& warnings);
+
+/// Cameras and lights of the nodes. One that is wrong is left out, with a warning: no light is traced from
+/// it.
+void add_cameras_and_lights(Value const& tree, std::vector<PlacedNode> const& nodes, Model& model);
+
+/// Warns of what is wrong where it cannot change where light goes: parts that are not read, or that nothing
+/// refers to.
+void warn_of_harmless_faults(GltfFile const& file, Value const& tree, std::vector<std::string>& warnings);
+
+/// Warns where accessors that no mesh uses cannot be read, and where bounds are not those of the data.
+void warn_of_accessors(tinygltf::Model const& model, Value const& tree, std::vector<std::string>& warnings);
+
+/// Numbers of the tree, with their ranges checked; the place that a message names is the value's own.
+namespace gltf {
+
+Value const* find(Value const* table, std::string_view key);
+std::string text(double number);
+/// The number at `value`, or `otherwise` where there is none. Throws InputError below `low`, or where it is
+/// no finite number.
+double at_least(Value const* value, double low, double otherwise, std::string const& remedy);
+/// [0, 1]
+double share(Value const* value, double otherwise);
+/// At most 200 bytes: a name is copied for each instance and face.
+std::string short_name(std::string const& name);
+std::string name_or(Value const& entry, std::string const& otherwise);
+/// As JSON; empty where there are none.
+std::string extras_of(Value const& entry);
+
+} // namespace gltf
 
 } // namespace sahl

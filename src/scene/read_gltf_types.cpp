@@ -21,7 +21,7 @@ struct Rule {
 
 // clang-format off
 constexpr Rule rules[] = {
-    {"/asset", Kind::object}, {"/asset/version", Kind::string}, {"/extensionsUsed", Kind::array},
+    {"/asset", Kind::object}, {"/asset/version", Kind::string}, {"/asset/minVersion", Kind::string}, {"/extensionsUsed", Kind::array},
     {"/extensionsUsed/*", Kind::string}, {"/extensionsRequired", Kind::array},
     {"/extensionsRequired/*", Kind::string}, {"/scene", Kind::index}, {"/scenes", Kind::array},
     {"/scenes/*", Kind::object}, {"/scenes/*/nodes", Kind::array}, {"/scenes/*/nodes/*", Kind::index},
@@ -61,6 +61,10 @@ constexpr Rule rules[] = {
     {"/materials/*/pbrMetallicRoughness/metallicFactor", Kind::number},
     {"/materials/*/pbrMetallicRoughness/roughnessFactor", Kind::number},
     {"/materials/*/extensions", Kind::object}, {"/materials/*/extensions/*", Kind::object},
+    {"/materials/*/alphaCutoff", Kind::number},
+    {"/materials/*/extensions/KHR_materials_specular/specularFactor", Kind::number},
+    {"/materials/*/extensions/KHR_materials_specular/specularColorFactor", Kind::array, 3},
+    {"/materials/*/extensions/KHR_materials_specular/specularColorFactor/*", Kind::number},
     {"/materials/*/extensions/KHR_materials_ior/ior", Kind::number},
     {"/materials/*/extensions/KHR_materials_transmission/transmissionFactor", Kind::number},
     {"/materials/*/extensions/KHR_materials_dispersion/dispersion", Kind::number},

@@ -1,14 +1,12 @@
 #include "scene/scene.h"
 
 #include "scene/model_body.h"
+#include "scene/model_parts.h"
 #include "scene/read_model.h"
 
 #include "math/input_error.h"
-#include "math/nearest_name.h"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
 namespace sahl {
 
@@ -25,6 +23,8 @@ struct Builder {
 
     void add_shape(ObjectSpec const& object, Shape const& shape);
     void add_model(ObjectSpec const& object, ModelReference const& reference);
+    void add_part(ObjectSpec const& object, ModelPart const& part, Affine const& to_world,
+                  std::string const& name);
     void add_detector(DetectorSpec const& detector, DetectorId id);
 };
 
@@ -70,43 +70,52 @@ void Builder::add_model(ObjectSpec const& object, ModelReference const& referenc
     scene.models.push_back(reference.path.string());
     for (std::string const& warning : model.warnings)
         scene.warnings.push_back(object.name + ": " + warning);
-
-    std::vector<std::shared_ptr<Mesh const>> meshes(model.meshes.size()); // instances share one
-    std::vector<ModelInstance const*> instances;
-    for (ModelInstance const& instance : model.instances)
-        if (wants_part(reference, instance.name))
-            instances.push_back(&instance);
-    if (instances.empty())
-        throw no_such_part(reference, model);
+    auto const instances = wanted_instances(reference, model);
     check_mapping(reference, model);
 
+    MaterialBook materials(scene, object.name, reference.metres_per_unit);
+    UniqueNames names;
+    std::vector<std::vector<ModelPart>> parts(model.meshes.size()); // instances share them
     Affine const unit{dmat3(reference.metres_per_unit), dvec3(0.0)};
     for (ModelInstance const* instance : instances) {
-        ModelMesh const& source = model.meshes[instance->mesh];
-        auto& mesh = meshes[instance->mesh];
-        if (!mesh)
-            mesh = std::make_shared<Mesh const>(make_mesh(source.soup));
-        ObjectId const body = next_body();
-        std::string const name =
-            instances.size() == 1 ? object.name : unique_name(scene, object.name, instance->name);
-        ModelBody const made = body_of(object, reference, model, source, scene);
-        Method const method = object_method(*mesh, scene.mesh_method);
+        auto& of_mesh = parts[instance->mesh];
+        if (of_mesh.empty())
+            of_mesh = parts_of(object, reference, model, model.meshes[instance->mesh], materials);
+        if (of_mesh.empty())
+            materials.warn("mesh " + model.meshes[instance->mesh].name + " has no triangles");
         Affine const to_world = compose(object.to_world, compose(unit, instance->to_world));
-        geometries.push_back(
-            {mesh, to_world, next_face(), next_shell(), false, method == Method::interpolated});
-        scene.bodies.push_back({name, false, made.medium, object.priority, {}, mesh, method, {}, to_world});
-        for (std::size_t face = 0; face < source.soup.face_names.size(); ++face)
-            scene.faces.push_back({name + "." + source.soup.face_names[face], body, made.surfaces[face]});
-        for (MeshShell const& shell : mesh->shells)
-            scene.shells.push_back({body, shell.sign, mesh->shells.size() == 1});
-        if (!mesh->closed()) {
-            std::ostringstream warning;
-            warning << name << ": the mesh is not closed (" << mesh->boundary_edges << " border edges, "
-                    << mesh->non_manifold_edges
-                    << " edges of more than two triangles): rays that find a hole are counted as leaks";
-            scene.warnings.push_back(warning.str());
-        }
+        for (ModelPart const& part : of_mesh)
+            add_part(
+                object, part, to_world,
+                names.make(object.name,
+                           (instances.size() == 1 ? "" : instance->name) +
+                               (of_mesh.size() == 1 ? "" : (instances.size() == 1 ? "" : "_") + part.label)));
     }
+    for (ModelMaterial const& material : model.materials)
+        for (std::string const& warning : material.warnings)
+            materials.warn(warning);
+}
+
+void Builder::add_part(ObjectSpec const& object, ModelPart const& part, Affine const& to_world,
+                       std::string const& name) {
+    Mesh const& mesh = *part.mesh;
+    ObjectId const body = next_body();
+    Method const method = object_method(mesh, scene.mesh_method);
+    geometries.push_back(
+        {part.mesh, to_world, next_face(), next_shell(), false, method == Method::interpolated, part.open});
+    scene.bodies.push_back({name,
+                            part.open,
+                            part.medium.value_or(scene.surroundings),
+                            object.priority,
+                            {},
+                            part.mesh,
+                            method,
+                            {},
+                            to_world});
+    for (std::size_t face = 0; face < mesh.soup.face_names.size(); ++face)
+        scene.faces.push_back({name + "." + mesh.soup.face_names[face], body, part.surfaces[face]});
+    for (std::size_t shell = 0; !part.open && shell < mesh.shells.size(); ++shell)
+        scene.shells.push_back({body, mesh.shells[shell].sign, mesh.shells.size() == 1});
 }
 
 } // namespace

@@ -50,7 +50,8 @@ std::string replaced(std::string text, std::string const& old, std::string const
 
 /// One triangle, (0,0,0) (1,0,0) (0,1,0), its indices 0, 1, 2 as 16-bit numbers behind the 36 bytes of
 /// positions.
-std::string const triangle = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+std::string const triangle =
+    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_ior"], "scene": 0, "scenes": [{"nodes": [0]}],
  "nodes": [{"name": "n", "mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0, "mode": 4}]}],
  "materials": [{"name": "glass", "extensions": {"KHR_materials_ior": {"ior": 1.5168}}}],
@@ -179,11 +180,11 @@ TEST_CASE("required extensions that are not there are refused by name") {
                                    R"("scene": 0, "extensionsRequired": ["KHR_draco_mesh_compression"])"));
     CHECK(text.find("KHR_draco_mesh_compression") != std::string::npos);
     CHECK(text.find("export without compression") != std::string::npos);
-    Model const used = read_gltf(
-        folder.write("model.gltf", replaced(triangle, R"("scene": 0)",
-                                            R"("scene": 0, "extensionsUsed": ["KHR_materials_sheen"])")));
+    Model const used =
+        read_gltf(folder.write("model.gltf", replaced(triangle, R"(["KHR_materials_ior"])",
+                                                      R"(["KHR_materials_ior", "EXT_unheard_of"])")));
     REQUIRE(used.warnings.size() == 1);
-    CHECK(used.warnings[0].find("KHR_materials_sheen") != std::string::npos);
+    CHECK(used.warnings[0].find("EXT_unheard_of") != std::string::npos);
 }
 
 TEST_CASE("nodes that are no tree are refused") {

@@ -3,10 +3,13 @@
 #include "geometry/mesh.h"
 #include "math/input_error.h"
 #include "scene/read_gltf.h"
+#include "scene/value.h"
 #include "support/catch.h"
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,33 @@ std::vector<fs::path> gltf_files(fs::path const& folder) {
 
 fs::path const shared = SAHL_SHARED_DATA;
 
+struct Outcome {
+    bool refused = false, warned = false; // of something that is wrong with the file
+    std::string said;
+};
+
+/// Reads the file, and makes its meshes, which must not fail either.
+Outcome read(fs::path const& path) {
+    Outcome outcome;
+    try {
+        Model const model = read_gltf(path);
+        for (ModelMesh const& mesh : model.meshes)
+            make_mesh(mesh.soup);
+        for (std::string const& warning : model.warnings)
+            if (warning.find("no node of its scene") == std::string::npos) {
+                outcome.warned = true;
+                outcome.said += warning + "; ";
+            }
+        for (ModelMaterial const& material : model.materials)
+            outcome.warned = outcome.warned || !material.warnings.empty();
+    } catch (InputError const& error) {
+        outcome.refused = true;
+        outcome.said = error.what();
+        CHECK(outcome.said.rfind(path.string(), 0) == 0);
+    }
+    return outcome;
+}
+
 } // namespace
 
 TEST_CASE("every malformed glTF file is read or refused, and every valid one is read") {
@@ -36,23 +66,41 @@ TEST_CASE("every malformed glTF file is read or refused, and every valid one is 
     std::size_t refused = 0, handmade_read = 0;
     for (fs::path const& path : gltf_files(shared / "badinput")) {
         INFO(path.string());
-        std::string problem;
-        try {
-            Model const model = read_gltf(path);
-            for (ModelMesh const& mesh : model.meshes)
-                make_mesh(mesh.soup);
-            handmade_read += path.parent_path().filename() == "handmade";
-        } catch (InputError const& error) {
-            problem = error.what();
-            ++refused;
-            CHECK(problem.rfind(path.string(), 0) == 0);
-        }
+        Outcome const outcome = read(path);
+        refused += outcome.refused;
+        handmade_read += !outcome.refused && path.parent_path().filename() == "handmade";
         std::string const name = path.filename().string();
         if (name.find("VALID") != std::string::npos || name == "valid.gltf" || name == "00-valid-glass.gltf")
-            CHECK(problem.empty());
+            CHECK_FALSE(outcome.refused);
     }
     CHECK(refused >= 40);
     CHECK(handmade_read == 4); // the three that are valid, and a huge image that is never decoded
+}
+
+TEST_CASE("where the glTF validator finds an error the file is refused or warned of, else it is read") {
+    fs::path const folder = shared / "badinput" / "gltf-validator-tests";
+    if (!fs::exists(folder)) {
+        WARN("skipped: no shared data");
+        return;
+    }
+    std::size_t with_errors = 0, without = 0;
+    for (fs::path const& path : gltf_files(folder)) {
+        std::ifstream stream(path.string() + ".report.json");
+        if (!stream)
+            continue;
+        std::string const text{std::istreambuf_iterator<char>(stream), {}};
+        Value const report = parse_json(text, path.string());
+        std::int64_t const errors = std::get<std::int64_t>(report.find("issues")->find("numErrors")->data);
+        Outcome const outcome = read(path);
+        INFO(path.string() << ": " << errors << " errors; " << outcome.said);
+        if (errors > 0)
+            CHECK((outcome.refused || outcome.warned));
+        else
+            CHECK_FALSE(outcome.refused);
+        ++(errors > 0 ? with_errors : without);
+    }
+    CHECK(with_errors > 80);
+    CHECK(without > 40);
 }
 
 TEST_CASE("models made elsewhere are read, or refused for their compression") {
