@@ -100,19 +100,6 @@ void read_attribute(Must const& must, hid_t place, char const* name, hid_t type,
     must(H5Aread(attribute, type, value), doing);
 }
 
-std::string read_text(Must const& must, hid_t place, char const* name) {
-    std::string const doing = std::string("read the attribute ") + name;
-    Handle const attribute(must(H5Aopen(place, name, H5P_DEFAULT), doing), H5Aclose);
-    Handle const type(H5Aget_type(attribute), H5Tclose);
-    if (values_in(Handle(H5Aget_space(attribute), H5Sclose)) != 1 || H5Tis_variable_str(type) <= 0)
-        must.fail("the attribute " + std::string(name) + " is not a text of variable length");
-    char* characters = nullptr;
-    must(H5Aread(attribute, text_type(H5T_VARIABLE), &characters), doing);
-    std::string text = characters == nullptr ? "" : characters;
-    H5free_memory(characters);
-    return text;
-}
-
 Table open_table(Must const& must, hid_t file, std::string const& name) {
     Table table;
     table.dataset = Handle(must(H5Dopen2(file, name.c_str(), H5P_DEFAULT), "open /" + name), H5Dclose);

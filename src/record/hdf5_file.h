@@ -90,7 +90,6 @@ void write_table(Must const& must, hid_t file, char const* name, hid_t type,
 void write_names(Must const& must, hid_t file, char const* name, std::vector<std::string> const& names);
 
 void read_attribute(Must const& must, hid_t place, char const* name, hid_t type, void* value);
-std::string read_text(Must const& must, hid_t place, char const* name);
 std::vector<std::string> read_names(Must const& must, hid_t file, std::string const& name);
 
 struct Table {

@@ -11,6 +11,24 @@ namespace sahl {
 
 using namespace hdf5;
 
+namespace {
+
+/// Each is an attribute, of variable length as people expect, and a table of one text, which is what is read
+/// here: the library trusts the lengths in its heap of attributes, and crashes where a broken file has
+/// others.
+struct Text {
+    char const* name;
+    std::string LogHeader::*value;
+};
+
+constexpr Text texts[] = {{"program", &LogHeader::program},
+                          {"title", &LogHeader::title},
+                          {"experiment", &LogHeader::experiment_text},
+                          {"experiment_sha256", &LogHeader::experiment_sha256},
+                          {"options", &LogHeader::options_json}};
+
+} // namespace
+
 void write_header(Must const& must, hid_t file, LogHeader const& header) {
     std::size_t const sources = header.sources.size();
     assert(header.source_power_W.size() == sources);
@@ -20,11 +38,11 @@ void write_header(Must const& must, hid_t file, LogHeader const& header) {
 
     std::uint64_t const rays = header.source_first_ray.empty() ? 0 : header.source_first_ray.back();
     write_attribute(must, file, "schema_version", H5T_STD_I32LE, &log_schema_version);
-    write_text(must, file, "program", header.program);
-    write_text(must, file, "title", header.title);
-    write_text(must, file, "experiment", header.experiment_text);
-    write_text(must, file, "experiment_sha256", header.experiment_sha256);
-    write_text(must, file, "options", header.options_json);
+    make_group(must, file, "texts");
+    for (Text const& text : texts) {
+        write_text(must, file, text.name, header.*text.value);
+        write_names(must, file, (std::string("texts/") + text.name).c_str(), {header.*text.value});
+    }
     write_attribute(must, file, "seed", H5T_STD_U64LE, &header.seed);
     write_attribute(must, file, "rays", H5T_STD_U64LE, &rays);
     write_attribute(must, file, "every", H5T_STD_U64LE, &header.every);
@@ -53,11 +71,13 @@ LogHeader read_header(Must const& must, hid_t file) {
         must.fail("its schema_version is " + std::to_string(version) + ", this program reads " +
                   std::to_string(log_schema_version));
     LogHeader header;
-    header.program = read_text(must, file, "program");
-    header.title = read_text(must, file, "title");
-    header.experiment_text = read_text(must, file, "experiment");
-    header.experiment_sha256 = read_text(must, file, "experiment_sha256");
-    header.options_json = read_text(must, file, "options");
+    for (Text const& text : texts) {
+        std::string const place = std::string("texts/") + text.name;
+        std::vector<std::string> found = read_names(must, file, place);
+        if (found.size() != 1)
+            must.fail("/" + place + " is not one text");
+        header.*text.value = std::move(found.front());
+    }
     read_attribute(must, file, "seed", type_of<std::uint64_t>(), &header.seed);
     read_attribute(must, file, "every", type_of<std::uint64_t>(), &header.every);
     read_attribute(must, file, "min_power", type_of<double>(), &header.min_power);

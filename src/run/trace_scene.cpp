@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t lost_rays_named = 20; // in the summary; all are counted
 
+constexpr unsigned batches_waiting = 32; // at most, for others before them or for the disk: they fill memory
+
 /// A batch on its way: what became of it, and its rows where there is a log.
 struct Traced {
     std::optional<BatchResult> result;
@@ -89,8 +91,10 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         log ? make_filter<std::shared_ptr<Chunks>, std::shared_ptr<Chunks>>(filter_mode::parallel, pack) &
                   make_filter<std::shared_ptr<Chunks>, void>(filter_mode::serial_in_order, write)
             : make_filter<std::shared_ptr<Chunks>, void>(filter_mode::parallel, [](auto const&) {});
-    arena.execute(
-        [&] { tbb::parallel_pipeline(std::size_t{4} * outcome.threads, traced & recorded & kept); });
+    arena.execute([&] {
+        tbb::parallel_pipeline(std::min(4U * outcome.threads, outcome.threads + batches_waiting),
+                               traced & recorded & kept);
+    });
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

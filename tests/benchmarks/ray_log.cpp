@@ -175,6 +175,7 @@ void measure(char const* name, bool mesh, std::uint64_t rays, int rounds, fs::pa
             which, wall, median(by[which].cpu), 1e-6 * static_cast<double>(segments) / wall, wall / off,
             wall / plain);
     }
+    std::fflush(stdout);
 }
 
 } // namespace

@@ -116,6 +116,28 @@ TEST_CASE("a broken ray log is bad input that names the file and what is wrong")
     CHECK(says(message, "; trace again with log = true"));
 }
 
+TEST_CASE("a log with a wrong byte is read or refused, whichever byte it is", "[record]") {
+    sample::Folder const folder;
+    auto const file = folder.path / "rays.h5";
+    LogHeader header = sample::header();
+    header.experiment_text.resize(100);
+    RayLogWriter log(file, header, {true});
+    log.append(sample::rows(40));
+    log.close();
+    std::string const whole = sample::bytes_of(file);
+    std::size_t refused = 0, tried = 0;
+    std::mt19937_64 random(11);
+    for (std::size_t at = 0; at < whole.size(); at += 1 + random() % 100) {
+        std::string broken = whole;
+        broken[at] = static_cast<char>(random());
+        std::ofstream(file, std::ios::binary) << broken;
+        refused += !complaint_of_reading(file).empty();
+        ++tried;
+    }
+    CHECK(tried > 300);
+    CHECK(refused > 50); // elsewhere a byte is text, a number, or not used
+}
+
 TEST_CASE("a log that is not closed leaves no file") {
     sample::Folder const folder;
     {

@@ -53,7 +53,7 @@ TEST_CASE("rows of a log in shards come back as if it were one file", "[record]"
     auto const rows = sample::rows(30000); // about 75 000: three shards
     auto const file = sample::write(folder, rows, SIZE_MAX, "rays.h5", small_shards);
     CHECK(fs::exists(folder.path / "rays.shards" / "00002.h5"));
-    CHECK(fs::file_size(file) < 400000); // it has no rows itself
+    CHECK(fs::file_size(file) < 1000000); // it has no rows itself, which are 118 bytes each
     RayLogReader const log(folder.path);
     REQUIRE(log.rows() == rows.size());
     CHECK(log.rays() == 30000);
