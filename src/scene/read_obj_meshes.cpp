@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <span>
 
 namespace sahl {
@@ -182,6 +183,23 @@ std::string name_of(ObjText const& text, ObjRun const& run, bool all_groups, std
     return name.empty() ? std::filesystem::path(file).stem().string() : name;
 }
 
+/// All objects and groups that have a share in a mesh.
+std::shared_ptr<ModelNode const> node_of(ObjText const& text, std::vector<std::uint32_t> const& runs) {
+    std::set<std::uint32_t> objects, groups;
+    for (std::uint32_t const r : runs) {
+        objects.insert(text.runs[r].object);
+        groups.insert(text.runs[r].group);
+    }
+    auto node = std::make_shared<ModelNode>();
+    for (std::uint32_t const number : objects)
+        if (number != obj_none)
+            node->groups.push_back(text.objects[number]);
+    for (std::uint32_t const number : groups)
+        if (number != obj_none)
+            node->groups.push_back(text.groups[number]);
+    return node;
+}
+
 } // namespace
 
 void add_obj_meshes(Model& model, ObjText const& text, std::string const& file) {
@@ -201,7 +219,8 @@ void add_obj_meshes(Model& model, ObjText const& text, std::string const& file) 
         maker.make_vertices();
         tangled += maker.tangled;
         without_length += maker.without_length;
-        model.instances.push_back({maker.mesh.name, {}, static_cast<std::uint32_t>(model.meshes.size())});
+        model.instances.push_back(
+            {maker.mesh.name, {}, static_cast<std::uint32_t>(model.meshes.size()), node_of(text, runs)});
         model.meshes.push_back(std::move(maker.mesh));
     }
     if (without_length > 0)

@@ -28,6 +28,7 @@ f 2 3 7 6
 f 3 4 8 7
 f 4 1 5 8
 o tip
+g sharp
 v 6 0 0
 v 7 0 0
 v 6 1 0
@@ -80,7 +81,13 @@ TEST_CASE("an experiment takes parts of an OBJ file, and its own glass goes befo
     REQUIRE(tip.bodies.size() == 1);
     CHECK(index_of(tip, 0) == 1.7);
     CHECK(length(tip.bvh->bounds().first - dvec3(0.006, 0.0, 0.0)) < 1e-15);
-    Scene const mapped = scene_with(folder, "length_unit = \"mm\"\nmaterials = {flint = {medium = \"vacuum\"}}");
+    CHECK(scene_with(folder, "length_unit = \"mm\"\nparts = [\"sharp\"]").bodies.size() == 1); // its group
+    CHECK(scene_with(folder, "length_unit = \"mm\"\nparts = [\"*\"]").bodies.size() == 2);
+    CHECK(error_of([&] {
+              scene_with(folder, "length_unit = \"mm\"\nparts = [\"blunt\"]");
+          }).find("box, tip") != std::string::npos);
+    Scene const mapped =
+        scene_with(folder, "length_unit = \"mm\"\nmaterials = {flint = {medium = \"vacuum\"}}");
     CHECK(index_of(mapped, 0) == 1.5);
     CHECK(index_of(mapped, 1) < 1.0);
 }
