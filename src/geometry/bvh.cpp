@@ -243,12 +243,25 @@ LeftSheets Bvh::still_there(LeftSheets const& left, dvec3 const& point) const {
 
 Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
     Start start;
-    for (std::uint32_t index = 0; index < state_->objects.size(); ++index) {
-        Placed const& object = state_->objects[index];
-        if (!object.bounded ||
-            !misses(object.box, point, direction, -1e-12 * length(point), 1e-12 * length(point)))
-            object.start(point, direction, index, start);
-    }
+    double const margin = 1e-12 * length(point); // far above rounding
+    auto const ask = [&](std::uint32_t index) {
+        state_->objects[index].start(point, direction, index, start);
+    };
+    for (std::uint32_t const index : state_->unbounded)
+        ask(index);
+    std::vector<std::uint32_t> near;
+    if (state_->tree)
+        state_->tree->visit(point, direction, {-margin, margin}, [&](std::uint32_t box, double to) {
+            near.push_back(state_->bounded[box]);
+            return to;
+        });
+    else
+        for (std::uint32_t const index : state_->bounded)
+            if (!misses(state_->objects[index].box, point, direction, -margin, margin))
+                near.push_back(index);
+    std::sort(near.begin(), near.end()); // the order must not depend on how boxes are found
+    for (std::uint32_t const index : near)
+        ask(index);
     return start;
 }
 
