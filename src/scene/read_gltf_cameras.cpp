@@ -136,10 +136,13 @@ void add_cameras_and_lights(Value const& tree, std::vector<PlacedNode> const& no
                 gltf::find(gltf::find(node.find("extensions"), "KHR_lights_punctual"), "light"))
             checked([&] { place(all_lights, model.lights, *index, placed, "light"); });
     }
+    auto const counted = [](std::size_t count, std::string const& what) {
+        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    };
     if (!model.cameras.empty() || !model.lights.empty())
-        model.warnings.push_back(std::to_string(model.cameras.size()) + " cameras and " +
-                                 std::to_string(model.lights.size()) +
-                                 " lights are kept for pictures; tracing takes its light from [[source]]");
+        model.warnings.push_back(tree.place.file + ": " + counted(model.cameras.size(), "camera") + " and " +
+                                 counted(model.lights.size(), "light") +
+                                 " are kept for pictures; tracing takes its light from [[source]]");
 }
 
 } // namespace sahl

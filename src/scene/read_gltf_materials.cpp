@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace sahl {
@@ -64,6 +65,12 @@ constexpr std::pair<std::string_view, std::string_view> left_out[] = {
      "its specular-glossiness values are not read; export metallic-roughness"},
 };
 
+std::string rounded(double number) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3g", number);
+    return buffer;
+}
+
 bool any_texture(Value const* table) {
     if (auto const* const entries = table ? std::get_if<Table>(&table->data) : nullptr)
         for (auto const& [key, value] : *entries)
@@ -94,7 +101,7 @@ void warn_of_what_is_left_out(ModelMaterial& material, Value const& entry) {
         warn("its textures are not read; the factors are taken for all of it");
     bool const shiny = material.transmission > 0.0 || material.metallic > 0.0;
     if (shiny && material.roughness > 0.0)
-        warn("its roughness of " + gltf::text(material.roughness) + " is not modelled: surfaces are smooth");
+        warn("its roughness of " + rounded(material.roughness) + " is not modelled: surfaces are smooth");
     if (material.transmission > 0.0 && material.metallic >= 1.0)
         warn("its metallic factor of 1, which is glTF's default, hides its transmission: it is a mirror; for "
              "glass "
