@@ -52,13 +52,10 @@ constexpr std::string_view known_extensions[] = {
 /// How to export without a kind of compression.
 std::string remedy_for(std::string const& extension) {
     if (extension == "KHR_draco_mesh_compression")
-        return "export without compression (Blender: untick Compression; or gltf-transform copy IN OUT, "
-               "which "
-               "decodes Draco)";
+        return "export without compression (Blender: untick Compression), or decode it: gltf-transform cp IN "
+               "OUT";
     if (extension.find("meshopt") != std::string::npos)
-        return "export without compression (gltfpack: leave out -c and -cc; or gltf-transform copy IN OUT, "
-               "which "
-               "decodes meshopt)";
+        return "export without compression (gltfpack: leave out -c and -cc)";
     return "export without this extension";
 }
 
