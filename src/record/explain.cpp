@@ -179,14 +179,21 @@ std::string title_of(RayTree const& tree, std::size_t row) {
                : text + ", " + length_mm(s.length) + ", optical path " + length_mm(s.optical_path);
 }
 
+std::string missing(RayTree const& tree) {
+    if (tree.whole)
+        return "";
+    if (tree.header.min_power > 0.0)
+        return "; pieces below " + percent(tree.header.min_power) + " of its power are not in the log";
+    return "; some of its rows are not in the log";
+}
+
 std::string heading(RayTree const& tree) {
     Segment const& root = tree.rows.front();
     std::string text = "ray " + std::to_string(root.ray);
     if (root.source < tree.header.sources.size())
         text += " of " + tree.header.sources[root.source];
     return text + ", " + number(in_nm(root.wavelength), 10) + " nm, " + std::to_string(tree.rows.size()) +
-           (tree.rows.size() == 1 ? " segment" : " segments") +
-           (tree.whole ? "" : "; some of its rows are not in the log") + "\n";
+           (tree.rows.size() == 1 ? " segment" : " segments") + missing(tree) + "\n";
 }
 
 } // namespace

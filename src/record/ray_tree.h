@@ -18,7 +18,7 @@ struct RayTree {
     std::vector<std::vector<std::size_t>> children{}; // of each row, in the order of the log
     std::vector<std::optional<std::size_t>>
         parents{};     // none: the root, or a row whose parent is not in the log
-    bool whole = true; // no row is missing that the others tell of
+    bool whole = true; // no row is missing that the others tell of, nor was any left out for its power
 };
 
 /// `rows` are those of one ray in the order of the log; some may be missing.

@@ -88,6 +88,17 @@ TEST_CASE("the explanation of a ray gives angles, shares and the reason of every
     CHECK_FALSE(has(text, "not in the log"));
 }
 
+TEST_CASE("what a log leaves out for its power is not said to be absorbed", "[record]") {
+    auto rows = prism();
+    rows.resize(5); // 4.3 % of what #3 carries was reflected and not logged
+    LogHeader thinned = header();
+    thinned.min_power = 0.05;
+    std::string const text = explain_ray(thinned, rows);
+    INFO(text);
+    CHECK(has(text, "5 segments; pieces below 5 % of its power are not in the log\n"));
+    CHECK(has(text, "refraction 30.00°, n 1.5168 → 1; T 95.69 %\n"));
+}
+
 TEST_CASE("a total reflection names the medium behind only if it can reflect all") {
     auto rows = prism();
     rows.resize(4);
