@@ -71,6 +71,9 @@ decltype(Surface::kind) opaque_kind(ModelMaterial const& material) {
     return Tinted{0.0, {1.0, 1.0, 1.0}, mirror};
 }
 
+constexpr char const* bands = "colours of three numbers hold over bands of wavelength: blue below 490 nm, "
+                              "green below 580 nm, red above";
+
 std::string percent(double share) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.3g %%", 100.0 * share);
@@ -111,17 +114,17 @@ MediumId MaterialBook::medium(ModelMaterial const& material) {
     if (material.volume) {
         medium.absorption = absorption_of(*material.volume, metres_per_unit_);
         if (!is_grey(material.volume->attenuation_color))
-            warn("colours hold over bands of wavelength: blue below 490 nm, green below 580 nm, red above");
+            warn(bands);
     }
     scene_.media.push_back(std::move(medium));
     return {static_cast<std::uint32_t>(scene_.media.size() - 1)};
 }
 
-void MaterialBook::warn_of_tint(ModelMaterial const& material) {
+void MaterialBook::warn_of_tint(ModelMaterial const& material, bool thin) {
     Colour const colour = base(material);
     bool const grey = is_grey(colour);
     if (!grey)
-        warn("colours hold over bands of wavelength: blue below 490 nm, green below 580 nm, red above");
+        warn(bands);
     if (!is_glass(material) || (colour == Colour{1.0, 1.0, 1.0} && material.transmission == 1.0))
         return;
     Colour const lost = {1.0 - material.transmission * colour[0], 1.0 - material.transmission * colour[1],
@@ -131,12 +134,13 @@ void MaterialBook::warn_of_tint(ModelMaterial const& material) {
          (grey ? percent(lost[0])
                : percent(lost[0]) + " of the red, " + percent(lost[1]) + " of the green, " +
                      percent(lost[2]) + " of the blue") +
-         " of the light that goes through each surface, once going in and once coming out; for clear glass "
-         "make the base colour white and the transmission 1");
+         " of the light that goes through " +
+         (thin ? "the thin wall" : "each surface, once going in and once coming out") +
+         "; for clear glass make the base colour white and the transmission 1");
 }
 
 std::optional<SurfaceId> MaterialBook::boundary(ModelMaterial const& material) {
-    warn_of_tint(material);
+    warn_of_tint(material, false);
     std::string const name = object_ + ":" + material.name;
     if (!is_glass(material))
         return add(name, {{}, opaque_kind(material)});
@@ -149,11 +153,9 @@ std::optional<SurfaceId> MaterialBook::boundary(ModelMaterial const& material) {
 
 SurfaceId MaterialBook::sheet(ModelMaterial const& material) {
     std::string const name = object_ + ":" + material.name;
-    if (!is_glass(material)) {
-        warn_of_tint(material);
+    warn_of_tint(material, true);
+    if (!is_glass(material))
         return add(name, {{}, opaque_kind(material)});
-    }
-    warn_of_tint(material);
     return add(name + " (thin wall)",
                {{},
                 ThinWall{medium(material), 1.0 - material.metallic,

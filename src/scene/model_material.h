@@ -32,7 +32,7 @@ class MaterialBook {
 
   private:
     SurfaceId add(std::string const& name, Surface surface);
-    void warn_of_tint(ModelMaterial const& material);
+    void warn_of_tint(ModelMaterial const& material, bool thin);
 
     Scene& scene_;
     std::string object_;
