@@ -77,6 +77,10 @@ void name_shells(Mesh& mesh, Topology const& topology, std::vector<ClosedCompone
         }
         mesh.triangle_shell.push_back(shell[c]);
     }
+    std::erase_if(mesh.flat, [&](FlatTriangle& flat) { // until now it named its component
+        flat.shell = shell[flat.shell];
+        return flat.shell == 0xFFFFFFFFu;
+    });
 }
 
 } // namespace
@@ -131,6 +135,8 @@ Mesh make_mesh(TriangleSoup soup) {
         bool const area = cross(b - a, c - a) != dvec3(0.0);
         if (area)
             topology.component[kept++] = topology.component[t];
+        else
+            mesh.flat.push_back({{a, b, c}, topology.component[t]});
         return area;
     });
     topology.component.resize(kept);

@@ -28,10 +28,18 @@ struct MeshShell {
     bool open = false;   // it has a border, and encloses nothing
 };
 
+/// A triangle that was left out because its corners lie on a line: no ray can hit it, yet it closes the
+/// surface between its neighbours.
+struct FlatTriangle {
+    std::array<dvec3, 3> corners;
+    std::uint32_t shell;
+};
+
 struct Mesh {
     TriangleSoup soup; // welded by exact position where normals agree too; degenerate triangles dropped
     std::vector<std::uint32_t> triangle_shell; // index into shells
     std::vector<MeshShell> shells;
+    std::vector<FlatTriangle> flat;
     dvec3 low{0.0}, high{0.0}; // bounding box
     // what the health report says
     std::uint64_t boundary_edges = 0; // 0: closed
