@@ -44,6 +44,9 @@ Mesh part_of(Mesh const& mesh, std::span<std::uint32_t const> shells) {
         part.soup.triangle_face.push_back(mesh.soup.triangle_face[t]);
         part.triangle_shell.push_back(shell);
     }
+    for (FlatTriangle const& flat : mesh.flat)
+        if (number[flat.shell] != none)
+            part.flat.push_back({flat.corners, number[flat.shell]});
     part.soup.face_names = mesh.soup.face_names;
     take_vertices(mesh.soup, part.soup);
     if (!part.soup.positions.empty())

@@ -1,5 +1,8 @@
 #include "run/summary.h"
 
+#include "run/health_report.h"
+#include "run/values.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,40 +10,6 @@
 namespace sahl {
 
 namespace {
-
-Value of(double x) {
-    return {std::isfinite(x) ? decltype(Value::data)(x) : decltype(Value::data)(std::monostate{}), {}};
-}
-Value of(std::uint64_t n) {
-    return {static_cast<std::int64_t>(n), {}};
-}
-Value of(std::string text) {
-    return {std::move(text), {}};
-}
-Value of(bool b) {
-    return {b, {}};
-}
-Value of(Table table) {
-    return {std::move(table), {}};
-}
-Value of(Array array) {
-    return {std::move(array), {}};
-}
-Value of(std::vector<std::string> const& list) {
-    Array array;
-    for (std::string const& text : list)
-        array.push_back(of(text));
-    return of(std::move(array));
-}
-Value of(dvec3 const& v, double scale = 1.0) {
-    return of(Array{of(v.x * scale), of(v.y * scale), of(v.z * scale)});
-}
-Value of(dvec2 const& v, double scale = 1.0) {
-    return of(Array{of(v.x * scale), of(v.y * scale)});
-}
-Value nothing() {
-    return {};
-}
 
 char const* name_of(BranchPolicy policy) {
     return policy == BranchPolicy::split      ? "split"
@@ -133,21 +102,6 @@ Value objects(Scene const& scene) {
                     {"medium", body.open ? nothing() : of(scene.media[body.medium.value].name)}};
         table.emplace_back(body.name, of(std::move(entry)));
     }
-    return of(std::move(table));
-}
-
-Value models(Scene const& scene) {
-    Table table;
-    for (Body const& body : scene.bodies)
-        if (body.mesh)
-            table.emplace_back(body.name,
-                               of(Table{{"triangles", of(std::uint64_t{body.mesh->soup.triangles.size()})},
-                                        {"shells", of(std::uint64_t{body.mesh->shells.size()})},
-                                        {"closed", of(body.mesh->closed())},
-                                        {"boundary_edges", of(body.mesh->boundary_edges)},
-                                        {"non_manifold_edges", of(body.mesh->non_manifold_edges)},
-                                        {"degenerate_triangles", of(body.mesh->degenerate_triangles)},
-                                        {"flipped_triangles", of(body.mesh->flipped_triangles)}}));
     return of(std::move(table));
 }
 
@@ -246,7 +200,7 @@ Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTab
         {"escaped_direction", escaped(optics, tally)},
         {"detectors", of(std::move(detectors))},
         {"objects", objects(scene)},
-        {"models", models(scene)},
+        {"models", models_value(scene, false)},
         {"warnings", of(scene.warnings)},
     });
 }

@@ -157,3 +157,25 @@ TEST_CASE("check says what is in an experiment and in a model") {
     CHECK(shell.run("check '" SAHL_SOURCE_DIR "/models/ball-320.glb'") == 0);
     CHECK(shell.text("out.txt").find("closed: true") != std::string::npos);
 }
+
+TEST_CASE("check tells a hole in a model by its place, as text and as JSON, and is done all the same") {
+    Shell shell;
+    std::string cube = "mtllib glass.mtl\nusemtl glass\n";
+    for (int i = 0; i < 8; ++i)
+        cube += "v " + std::to_string(i & 1 ? 9 : 0) + " " + std::to_string(i & 2 ? 9 : 0) + " " +
+                std::to_string(i & 4 ? 9 : 0) + "\n";
+    cube += "f 1 5 7 3\nf 2 4 8 6\nf 1 2 6 5\nf 3 7 8 4\nf 1 3 4 2\nf 5 6 8\n"; // f 5 8 7 is not there
+    shell.write("glass.mtl", "newmtl glass\nNi 1.5\nd 0\nillum 7\n");
+    shell.write("torn.obj", cube);
+    CHECK(shell.run("check torn.obj --json") == 0);
+    Value const report = parse_json(shell.text("out.txt"), "out.txt");
+    Value const& model = std::get<Table>(report.find("models")->data).front().second;
+    CHECK_FALSE(std::get<bool>(model.find("closed")->data));
+    Value const& hole = std::get<Array>(model.find("borders")->find("longest")->data).front();
+    CHECK(std::get<std::int64_t>(hole.find("edges")->data) == 3);
+    CHECK(shell.run("check torn.obj") == 0);
+    CHECK(shell.text("out.txt").find("border of 30.73 mm (3 edges)") != std::string::npos);
+    shell.write("torn.obj", "v 0 0 nan\nf 1 1 1\n");
+    CHECK(shell.run("check torn.obj") == 3);
+    CHECK(shell.text("out.txt").empty());
+}
