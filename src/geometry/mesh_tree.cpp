@@ -12,13 +12,11 @@ namespace sahl {
 
 namespace {
 
-std::vector<Bounds> triangle_bounds(Mesh const& mesh) {
+std::vector<Bounds> bounds_of(std::vector<std::array<dvec3, 3>> const& triangles) {
     std::vector<Bounds> bounds;
-    bounds.reserve(mesh.soup.triangles.size());
-    for (auto const& [a, b, c] : mesh.soup.triangles) {
-        dvec3 const &p = mesh.soup.positions[a], &q = mesh.soup.positions[b], &r = mesh.soup.positions[c];
-        bounds.push_back({glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r))});
-    }
+    bounds.reserve(triangles.size());
+    for (auto const& [a, b, c] : triangles)
+        bounds.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
     return bounds;
 }
 
@@ -75,19 +73,30 @@ struct MeshTree::Line {
 };
 
 MeshTree::MeshTree(std::shared_ptr<Mesh const> mesh)
-    : mesh_(std::move(mesh)), tree_(triangle_bounds(*mesh_)) {}
+    : mesh_(std::move(mesh)), triangles_(mesh_->soup.positions, mesh_->soup.triangles) {
+    auto const& p = mesh_->soup.positions;
+    corners_.reserve(mesh_->soup.triangles.size());
+    for (auto const& [a, b, c] : mesh_->soup.triangles)
+        corners_.push_back({p[a], p[b], p[c]});
+}
+
+BoxTree const& MeshTree::boxes() const {
+    std::call_once(boxes_built_, [this] { boxes_.emplace(bounds_of(corners_)); });
+    return *boxes_;
+}
+
+int MeshTree::sign_of(std::uint32_t triangle) const {
+    return mesh_->shells[mesh_->shells.size() == 1 ? 0 : mesh_->triangle_shell[triangle]].sign;
+}
 
 dvec3 MeshTree::normal(std::uint32_t triangle) const {
-    auto const& [a, b, c] = mesh_->soup.triangles[triangle];
-    auto const& p = mesh_->soup.positions;
-    double const sign = mesh_->shells[mesh_->triangle_shell[triangle]].sign;
-    return sign * normalize(precise_cross(p[b] - p[a], p[c] - p[a]));
+    auto const& [a, b, c] = corners_[triangle];
+    return double(sign_of(triangle)) * normalize(precise_cross(b - a, c - a));
 }
 
 dvec3 MeshTree::onto(std::uint32_t triangle, dvec3 const& point) const {
-    auto const& corners = mesh_->soup.triangles[triangle];
-    dvec3 const& a = mesh_->soup.positions[corners[0]];
-    dvec3 const ab = mesh_->soup.positions[corners[1]] - a, ac = mesh_->soup.positions[corners[2]] - a;
+    dvec3 const& a = corners_[triangle][0];
+    dvec3 const ab = corners_[triangle][1] - a, ac = corners_[triangle][2] - a;
     dvec3 const normal = precise_cross(ab, ac), from = point - a;
     double const squared = dot(normal, normal);
     double const v = dot(cross(from, ac), normal) / squared, w = dot(cross(ab, from), normal) / squared;
@@ -103,9 +112,9 @@ struct MeshTree::Projected {
     std::array<dvec2, 3> flat;    // across the line
     double u, v, w;               // twice the signed areas between the line and each edge
 
-    Projected(Line const& line, Mesh const& mesh, std::uint32_t triangle) {
+    Projected(Line const& line, std::array<dvec3, 3> const& triangle) {
         for (std::size_t i = 0; i < 3; ++i) {
-            corners[i] = mesh.soup.positions[mesh.soup.triangles[triangle][i]] - line.origin;
+            corners[i] = triangle[i] - line.origin;
             dvec3 const& p = corners[i];
             flat[i] = {p[line.kx] - line.shear_x * p[line.kz], p[line.ky] - line.shear_y * p[line.kz]};
         }
@@ -124,13 +133,13 @@ struct MeshTree::Projected {
 };
 
 std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t triangle) const {
-    Projected const seen(line, *mesh_, triangle);
+    Projected const seen(line, corners_[triangle]);
     auto const& [a, b, c] = seen.flat;
     bool const positive = is_positive(seen.u, b, c);
     if (is_positive(seen.v, c, a) != positive || is_positive(seen.w, a, b) != positive)
         return std::nullopt;
     MeshCrossing crossing = crossing_of(line, seen, triangle);
-    crossing.enters = positive == (mesh_->shells[mesh_->triangle_shell[triangle]].sign > 0);
+    crossing.enters = positive == (sign_of(triangle) > 0);
     return crossing;
 }
 
@@ -141,23 +150,24 @@ MeshCrossing MeshTree::crossing_of(Line const& line, Projected const& seen, std:
     crossing.triangle = triangle;
     // t from the plane, whose normal has its digits in needles too; within the corners' range, where the line
     // runs along the plane
-    auto const& corners = mesh_->soup.triangles[triangle];
-    auto const& p = mesh_->soup.positions;
-    dvec3 const normal = precise_cross(p[corners[1]] - p[corners[0]], p[corners[2]] - p[corners[0]]);
-    double const along = dot(normal, line.direction);
+    auto const& [a, b, c] = corners_[triangle];
+    dvec3 const normal = precise_cross(b - a, c - a);
+    double const along = dot(normal, line.direction), by_length = 1.0 / length(normal);
     auto const t_of = [&](std::size_t corner) { return line.shear_z * seen.corners[corner][line.kz]; };
     auto const [low, high] = std::minmax({t_of(0), t_of(1), t_of(2)});
     crossing.t = along != 0.0 ? std::clamp(dot(normal, seen.corners[0]) / along, low, high) : low;
-    crossing.slope = std::abs(along) / length(normal);
+    crossing.slope = std::abs(along) * by_length;
     crossing.range = high - low;
-    crossing.enters = (along < 0.0) == (mesh_->shells[mesh_->triangle_shell[triangle]].sign > 0);
+    crossing.per_metre = std::abs(line.shear_z);
+    crossing.enters = (along < 0.0) == (sign_of(triangle) > 0);
+    crossing.normal = (sign_of(triangle) * by_length) * normal;
     return crossing;
 }
 
 std::vector<MeshCrossing> MeshTree::all(Line const& line, double from, double rounding) const {
     std::vector<MeshCrossing> crossings;
     double const start = from - far_behind * rounding / length(line.direction);
-    tree_.visit(line.origin, line.direction, {start, INFINITY}, [&](std::uint32_t triangle, double to) {
+    boxes().visit(line.origin, line.direction, {start, INFINITY}, [&](std::uint32_t triangle, double to) {
         if (auto const c = meet(line, triangle); c && (c->t - from) * c->slope >= -rounding)
             crossings.push_back(*c);
         return to;
@@ -171,46 +181,59 @@ std::vector<MeshCrossing> MeshTree::all(Line const& line, double from, double ro
 
 MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                           double rounding) const {
-    Line const line(origin, direction);
-    std::optional<MeshCrossing> best;
-    bool doubtful = false; // something other than one plain crossing lies at the start or before the best
-    std::vector<MeshCrossing> unfit;
+    std::size_t const shells = mesh_->shells.size();
     bool in_some = false;
-    for (std::uint32_t shell = 0; shell < mesh_->shells.size(); ++shell)
+    for (std::uint32_t shell = 0; shell < shells; ++shell)
         in_some = in_some || inside[shell];
-    double const start = reach.from - far_behind * rounding / length(direction);
+    auto const is_in = [&](std::uint32_t triangle) {
+        return shells == 1 ? in_some : inside[mesh_->triangle_shell[triangle]];
+    };
+    Line const line(origin, direction);
+    double const unit = length(direction), blur = triangles_.blur() / unit;
+    MeshCrossing best;
+    best.t = INFINITY;
+    bool doubtful = false;                            // something but plain crossings lies at the start
+    double unfit = INFINITY;                          // t of the nearest crossing that contradicts `inside`
     double const end = in_some ? INFINITY : reach.to; // what the ray is in must be left somewhere
-    tree_.visit(origin, direction, {start, end}, [&](std::uint32_t triangle, double to) {
-        auto const c = meet(line, triangle);
+    constexpr double no = INFINITY;
+    triangles_.visit(origin, direction, {reach.from, end}, [&](Proposal const& proposal) {
+        bool const in = is_in(proposal.triangle);
+        if (proposal.sense != 0 && ((proposal.sense < 0) == (sign_of(proposal.triangle) > 0)) == in) {
+            if (proposal.t > reach.from + blur) // otherwise it is the one that the ray started on
+                unfit = std::min(unfit, proposal.t - blur);
+            return no;
+        }
+        auto const c = meet(line, proposal.triangle);
         if (!c)
-            return to;
+            return no;
         double const distance = (c->t - reach.from) * c->slope;
-        bool const fits = c->enters != inside[mesh_->triangle_shell[triangle]];
-        if (distance < -rounding)
-            return to;
-        if (distance <= rounding) { // at the start
-            doubtful = doubtful || fits || (c->t - reach.from) * length(direction) > far_behind * rounding;
-            return to;
+        if (distance <= rounding) { // at the start, or behind it
+            bool const far = (c->t - reach.from) * unit > far_behind * rounding;
+            doubtful = doubtful || (distance >= -rounding && (c->enters != in || far));
+            return no;
         }
-        if (!fits) {
-            unfit.push_back(*c);
-            return to;
+        if (c->enters == in) {
+            unfit = std::min(unfit, c->t - 2.0 * c->blur(rounding));
+            return no;
         }
-        if (!best || std::pair(c->t, c->triangle) < std::pair(best->t, best->triangle))
-            best = c;
-        return std::min(to, best->t + 2.0 * best->blur(rounding));
+        if (std::pair(c->t, c->triangle) < std::pair(best.t, best.triangle))
+            best = *c;
+        return best.t + 2.0 * best.blur(rounding);
     });
-    double const horizon = best ? best->t + 2.0 * best->blur(rounding) : INFINITY;
-    for (MeshCrossing const& c : unfit)
-        doubtful = doubtful || c.t - 2.0 * c.blur(rounding) <= horizon;
-    for (std::uint32_t shell = 0; in_some && shell < mesh_->shells.size(); ++shell)
-        doubtful = doubtful || (inside[shell] && !(best && mesh_->triangle_shell[best->triangle] == shell));
-    if (!doubtful)
-        return {best, INFINITY};
-    return settle(line, inside, reach, rounding);
+    bool const nothing = best.t == INFINITY;
+    doubtful =
+        doubtful || (nothing ? in_some || unfit < INFINITY : unfit <= best.t + 2.0 * best.blur(rounding));
+    if (in_some && !mesh_->closed()) // through a hole another shell may be met than the one that was left
+        for (std::uint32_t shell = 0; shell < shells; ++shell)
+            doubtful = doubtful || (inside[shell] && mesh_->triangle_shell[best.triangle] != shell);
+    if (doubtful)
+        return next_exact(origin, direction, inside, reach, rounding);
+    return nothing ? MeshAnswer{} : MeshAnswer{best, INFINITY};
 }
 
-MeshAnswer MeshTree::settle(Line const& line, InsideShells inside, Reach reach, double rounding) const {
+MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
+                                double rounding) const {
+    Line const line(origin, direction);
     MeshAnswer answer;
     std::vector<MeshCrossing> const crossings = all(line, reach.from, rounding);
     auto first = crossings.begin();
@@ -243,10 +266,10 @@ std::optional<MeshCrossing> MeshTree::just_missed(Line const& line, std::uint32_
                                                   Reach reach, double rounding) const {
     std::optional<MeshCrossing> best;
     double const start = reach.from - far_behind * rounding / length(line.direction);
-    tree_.visit(line.origin, line.direction, {start, reach.to}, [&](std::uint32_t triangle, double to) {
+    boxes().visit(line.origin, line.direction, {start, reach.to}, [&](std::uint32_t triangle, double to) {
         if (mesh_->triangle_shell[triangle] != shell)
             return to;
-        Projected const seen(line, *mesh_, triangle);
+        Projected const seen(line, corners_[triangle]);
         MeshCrossing c = crossing_of(line, seen, triangle);
         double const sense =
             (inside == (mesh_->shells[shell].sign > 0)) ? -1.0 : 1.0; // of a triangle that fits

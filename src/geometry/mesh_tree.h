@@ -1,15 +1,19 @@
 // In: a mesh and a ray in the mesh's own frame. Out: the next crossing of one of its shells, in double.
-// Triangles are double user geometry: watertight along shared edges, edges inclusive, so that no ray slips
-// between two.
+// Embree proposes triangles in float; what is met is decided in double, watertight along shared edges, edges
+// inclusive, so that no ray slips between two. Where that leaves a doubt all triangles are asked again as
+// boxes in double.
 #pragma once
 
 #include "geometry/embree/box_tree.h"
+#include "geometry/embree/triangle_tree.h"
 #include "geometry/mesh.h"
 #include "geometry/shell_set.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -17,16 +21,18 @@ namespace sahl {
 
 struct MeshCrossing {
     double t = 0.0;
-    double slope = 0.0; // |n·d|
-    double range = 0.0; // of t over the triangle's corners
-    dvec2 uv{0.0};      // weights of the triangle's second and third corner
+    double slope = 0.0;     // |n·d|
+    double range = 0.0;     // of t over the triangle's corners
+    double per_metre = 1.0; // t of a metre along the line's main axis
+    dvec2 uv{0.0};          // weights of the triangle's second and third corner
+    dvec3 normal{0.0};      // unit, out of the volume that the shell encloses
     std::uint32_t triangle = 0;
     bool enters = false;    // the volume that the shell encloses
     bool recovered = false; // the line itself misses the triangle, by no more than rounding
 
     /// How far rounding (m, along the normal) may shift t: where the line runs along the triangle, over all
     /// of it.
-    double blur(double rounding) const { return std::min(rounding / slope, range); }
+    double blur(double rounding) const { return std::min(rounding / slope, range + rounding * per_metre); }
 };
 
 struct MeshAnswer {
@@ -55,6 +61,11 @@ class MeshTree {
     MeshAnswer next(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                     double rounding) const;
 
+    /// The same answer from every crossing that the line has, met as boxes in double: slower, and the judge
+    /// of next().
+    MeshAnswer next_exact(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
+                          double rounding) const;
+
     /// For each shell: does the ray run inside it just after its start?
     std::vector<bool> inside(dvec3 const& origin, dvec3 const& direction, double rounding) const;
 
@@ -71,15 +82,20 @@ class MeshTree {
     std::optional<MeshCrossing> meet(Line const& line, std::uint32_t triangle) const;
     MeshCrossing crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const;
     std::vector<MeshCrossing> all(Line const& line, double from, double rounding) const;
-    MeshAnswer settle(Line const& line, InsideShells inside, Reach reach, double rounding) const;
     /// Where a line contradicts what the ray is in: the nearest triangle that fits and that the line misses
     /// by no more than rounding. Reflected close to an edge, a ray may start beyond the face on its other
     /// side.
     std::optional<MeshCrossing> just_missed(Line const& line, std::uint32_t shell, bool inside, Reach reach,
                                             double rounding) const;
 
+    BoxTree const& boxes() const;
+    int sign_of(std::uint32_t triangle) const; // of its shell
+
     std::shared_ptr<Mesh const> mesh_;
-    BoxTree tree_;
+    std::vector<std::array<dvec3, 3>> corners_; // by triangle, so that meeting one is one place in memory
+    TriangleTree triangles_;
+    mutable std::once_flag boxes_built_;
+    mutable std::optional<BoxTree> boxes_; // built on first need
 };
 
 } // namespace sahl

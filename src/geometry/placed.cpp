@@ -99,7 +99,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 if (auto const t = meet(sheet, ray.origin, ray.direction)) {
                     double const blur = ray.rounding / std::abs(ray.direction.z);
                     if (*t >= reach.from - blur && *t <= reach.to)
-                        found = Candidate{*t, blur, 0, 0, -1, {}, true, ray.direction.z < 0.0};
+                        found = Candidate{*t, blur, 0, 0, -1, {}, {}, true, ray.direction.z < 0.0};
                 }
                 return INFINITY + 0.0;
             },
@@ -109,10 +109,11 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 if (!c)
                     return in ? reach.from : INFINITY + 0.0;
                 if (c->t <= reach.to)
-                    found = Candidate{c->t,  c->slope > 0.0 ? ray.rounding / c->slope : INFINITY,
-                                      0,     c->face,
-                                      -1,    {},
-                                      false, c->enters};
+                    found = Candidate{c->t,     c->slope > 0.0 ? ray.rounding / c->slope : INFINITY,
+                                      0,        c->face,
+                                      -1,       {},
+                                      {},       false,
+                                      c->enters};
                 return INFINITY + 0.0;
             },
             [&](Tree const& tree) {
@@ -126,6 +127,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                                       soup.triangle_face[c->triangle],
                                       static_cast<std::int32_t>(c->triangle),
                                       c->uv,
+                                      c->normal,
                                       false,
                                       c->enters,
                                       c->recovered};
@@ -140,6 +142,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                                       sheet->mesh().soup.triangle_face[m->triangle],
                                       static_cast<std::int32_t>(m->triangle),
                                       m->uv,
+                                      sheet->normal(m->triangle),
                                       true,
                                       m->against};
                 return INFINITY + 0.0;
@@ -219,7 +222,7 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                    [&](Solid const& solid) { facet = normal = solid.settle(candidate.face, point); },
                    [&](auto const& tree_or_sheet) {
                        auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
-                       facet = tree_or_sheet->normal(triangle);
+                       facet = candidate.normal;
                        point = tree_or_sheet->onto(triangle, point);
                        normal = geometry.interpolate
                                     ? smooth_normal(tree_or_sheet->mesh().soup, triangle, candidate.uv, facet)

@@ -20,6 +20,7 @@ struct Candidate {
     std::uint32_t face = 0; // local number
     std::int32_t primitive = -1;
     dvec2 uv{0.0};
+    dvec3 normal{0.0}; // of a triangle: local, unit, out of the shell's volume
     bool open = false;
     bool enters = false;
     bool recovered = false; // met by a line that misses it by no more than rounding

@@ -84,6 +84,33 @@ inline TriangleSoup ball_soup(double radius, int times, dvec3 const& centre = dv
     return soup;
 }
 
+/// The sphere that an icosahedron makes whose sides are cut in `frequency` parts: 20 frequency² triangles.
+inline TriangleSoup geodesic_soup(double radius, std::uint32_t frequency) {
+    TriangleSoup const coarse = ball_soup(1.0, 0);
+    TriangleSoup soup;
+    soup.face_names = {"surface"};
+    double const step = 1.0 / frequency;
+    for (auto const& [a, b, c] : coarse.triangles) {
+        auto const first = static_cast<std::uint32_t>(soup.positions.size());
+        auto const at = [&](std::uint32_t row, std::uint32_t i) { return first + row * (row + 1) / 2 + i; };
+        for (std::uint32_t row = 0; row <= frequency; ++row)
+            for (std::uint32_t i = 0; i <= row;
+                 ++i) { // shares of equal sides round alike, whichever way round
+                dvec3 const p = (step * (frequency - row)) * coarse.positions[a];
+                dvec3 const q = (step * (row - i)) * coarse.positions[b],
+                            r = (step * i) * coarse.positions[c];
+                soup.positions.push_back(radius * normalize(i == 0 ? p + q : row == i ? p + r : p + (q + r)));
+            }
+        for (std::uint32_t row = 0; row < frequency; ++row)
+            for (std::uint32_t i = 0; i <= row; ++i) {
+                add_triangle(soup, at(row, i), at(row + 1, i), at(row + 1, i + 1));
+                if (i < row)
+                    add_triangle(soup, at(row, i), at(row + 1, i + 1), at(row, i + 1));
+            }
+    }
+    return soup;
+}
+
 inline TriangleSoup torus_soup(double ring, double tube, std::uint32_t around, std::uint32_t across) {
     TriangleSoup soup;
     soup.face_names = {"surface"};

@@ -1,37 +1,20 @@
 #include "geometry/embree/box_tree.h"
 
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
+#include "geometry/embree/device.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace sahl {
 
+using namespace embree;
+
 namespace {
 
-constexpr double float_ulp = 0x1p-24; // half a unit in the last place of 1.0f: one rounding's relative error
-
-float below(double x) {
-    return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
-}
-float above(double x) {
-    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
-}
-
 struct Query {
-#if RTC_VERSION_MAJOR >= 4
-    RTCRayQueryContext embree;
-#else
-    RTCIntersectContext embree;
-#endif
+    Context embree;
     double (*callback)(void*, std::uint32_t, double);
     void* context;
     double to;    // t of the caller's line
@@ -39,18 +22,6 @@ struct Query {
     double unit;  // length of the caller's direction
     double slack; // m: what rounding to float may move a box's border along the ray
 };
-
-/// An Embree device of its own for every tree would cost threads; one serves all.
-RTCDevice shared_device() {
-    static struct Device {
-        RTCDevice handle = rtcNewDevice(nullptr);
-        ~Device() { rtcReleaseDevice(handle); }
-    } device;
-    if (!device.handle)
-        throw std::runtime_error("Embree cannot start: error " +
-                                 std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))));
-    return device.handle;
-}
 
 } // namespace
 
@@ -111,19 +82,12 @@ BoxTree::BoxTree(std::span<Bounds const> boxes) : state_(std::make_unique<State>
     // arithmetic.
     state.growth =
         8.0 * float_ulp * length(state.all.high - state.all.low) + std::numeric_limits<float>::min();
-    RTCDevice const device = shared_device();
-    RTCGeometry const geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    RTCGeometry const geometry = rtcNewGeometry(shared_device(), RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
     rtcSetGeometryUserData(geometry, &state);
-    rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
     rtcSetGeometryBoundsFunction(geometry, State::grown_box, nullptr);
     rtcSetGeometryIntersectFunction(geometry, meet_box);
-    rtcCommitGeometry(geometry);
-    state.scene = rtcNewScene(device);
-    rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_ROBUST);
-    rtcAttachGeometry(state.scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(state.scene);
+    state.scene = scene_of(geometry, RTC_SCENE_FLAG_ROBUST);
 }
 
 BoxTree::BoxTree(BoxTree&&) noexcept = default;
@@ -139,46 +103,15 @@ void BoxTree::visit_boxes(dvec3 const& origin, dvec3 const& direction, Reach rea
     // clip to the box of all, in double, so that the float ray is no longer than the box and starts near it
     dvec3 const start = origin - state.centre;
     dvec3 const half = 0.5 * (state.all.high - state.all.low) + 4.0 * state.growth;
-    double from = reach.from, to = reach.to;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] == 0.0) {
-            if (std::abs(start[axis]) > half[axis])
-                return;
-            continue;
-        }
-        double const one = (-half[axis] - start[axis]) / direction[axis];
-        double const other = (half[axis] - start[axis]) / direction[axis];
-        // a few ulp wider: the clip may keep too much, never too little
-        from = std::max(from, std::min(one, other) - 4e-16 * std::abs(one));
-        to = std::min(to, std::max(one, other) + 4e-16 * std::abs(other));
-    }
-    if (!(from <= to))
+    auto const part = clip(start, direction, half, reach);
+    if (!part)
         return;
+    auto const [from, to] = *part;
     dvec3 const at = start + from * direction;
     dvec3 const along = direction / unit;
     Query query{{}, callback, context, to, from, unit, 8.0 * state.growth};
-    RTCRayHit ray{};
-    ray.ray.org_x = static_cast<float>(at.x);
-    ray.ray.org_y = static_cast<float>(at.y);
-    ray.ray.org_z = static_cast<float>(at.z);
-    ray.ray.dir_x = static_cast<float>(along.x);
-    ray.ray.dir_y = static_cast<float>(along.y);
-    ray.ray.dir_z = static_cast<float>(along.z);
-    ray.ray.tnear = 0.0f;
-    ray.ray.tfar = above((to - from) * unit * (1.0 + 4.0 * float_ulp) + query.slack);
-    ray.ray.mask = 0xFFFFFFFFu;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-#if RTC_VERSION_MAJOR >= 4
-    rtcInitRayQueryContext(&query.embree);
-    RTCIntersectArguments arguments;
-    rtcInitIntersectArguments(&arguments);
-    arguments.context = &query.embree;
-    rtcIntersect1(state.scene, &ray, &arguments);
-#else
-    rtcInitIntersectContext(&query.embree);
-    rtcIntersect1(state.scene, &query.embree, &ray);
-#endif
+    RTCRayHit ray = float_ray(at, along, above((to - from) * unit * (1.0 + 4.0 * float_ulp) + query.slack));
+    intersect(state.scene, query.embree, ray);
 }
 
 } // namespace sahl

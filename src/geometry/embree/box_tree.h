@@ -1,7 +1,8 @@
-// In: boxes. Out: those that a line meets, roughly nearest first. The only door to Embree (3 or 4).
+// In: boxes. Out: those that a line meets, roughly nearest first.
 // Embree proposes in float; what is inside a box is decided in double by the visitor.
 #pragma once
 
+#include "geometry/embree/reach.h"
 #include "math/vec.h"
 
 #include <cstdint>
@@ -13,11 +14,6 @@ namespace sahl {
 
 struct Bounds {
     dvec3 low{0.0}, high{0.0};
-};
-
-/// A line from `from` to `to`, t in units of the direction, which may have any length but zero.
-struct Reach {
-    double from = 0.0, to = 0.0;
 };
 
 class BoxTree {

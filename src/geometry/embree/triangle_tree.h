@@ -1,0 +1,56 @@
+// In: triangles. Out: those that a line meets, roughly nearest first. Embree meets them in float, grown by
+// more than its rounding: it proposes too many rather than too few, and the visitor decides in double.
+#pragma once
+
+#include "geometry/embree/reach.h"
+#include "math/vec.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+
+namespace sahl {
+
+/// A triangle that a line may meet, as far as float tells.
+struct Proposal {
+    std::uint32_t triangle = 0;
+    double t = 0.0;
+    int sense = 0; // sign of normal · direction (corners anticlockwise); 0: too close to 0 for float to tell
+};
+
+class TriangleTree {
+  public:
+    TriangleTree(std::span<dvec3 const> positions, std::span<std::array<std::uint32_t, 3> const> triangles);
+    TriangleTree(TriangleTree&&) noexcept;
+    TriangleTree& operator=(TriangleTree&&) noexcept;
+    ~TriangleTree();
+
+    /// Calls visitor(Proposal) for the triangles that the line meets between reach.from and `to`; it returns
+    /// the new `to`, below the last one, where it takes the triangle, and ∞ where it does not. What lies a
+    /// little before reach.from or behind `to` may be proposed too.
+    /// Left out are at most triangles that the line meets at less than 1e-4 rad, where Embree's t has no
+    /// digits. A line that is not finite meets nothing.
+    template <class Visitor>
+    void visit(dvec3 const& origin, dvec3 const& direction, Reach reach, Visitor&& visitor) const {
+        using Plain = std::remove_reference_t<Visitor>;
+        visit_triangles(
+            origin, direction, reach,
+            [](void* context, Proposal const& proposal) { return (*static_cast<Plain*>(context))(proposal); },
+            const_cast<void*>(static_cast<void const*>(&visitor)));
+    }
+
+    /// m: how far along the line a proposal of sure sense may lie from where its t says.
+    double blur() const;
+
+  private:
+    using Callback = double (*)(void* context, Proposal const& proposal);
+    void visit_triangles(dvec3 const& origin, dvec3 const& direction, Reach reach, Callback callback,
+                         void* context) const;
+
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace sahl
