@@ -12,6 +12,19 @@ namespace sahl {
 
 namespace {
 
+/// Corners by triangle, anticlockwise seen from outside the volume that the shell encloses.
+std::vector<std::array<dvec3, 3>> corners_of(Mesh const& mesh) {
+    std::vector<std::array<dvec3, 3>> corners;
+    corners.reserve(mesh.soup.triangles.size());
+    for (std::size_t t = 0; t < mesh.soup.triangles.size(); ++t) {
+        auto [a, b, c] = mesh.soup.triangles[t];
+        if (mesh.shells[mesh.triangle_shell[t]].sign < 0)
+            std::swap(b, c);
+        corners.push_back({mesh.soup.positions[a], mesh.soup.positions[b], mesh.soup.positions[c]});
+    }
+    return corners;
+}
+
 std::vector<Bounds> bounds_of(std::vector<std::array<dvec3, 3>> const& triangles) {
     std::vector<Bounds> bounds;
     bounds.reserve(triangles.size());
@@ -23,6 +36,10 @@ std::vector<Bounds> bounds_of(std::vector<std::array<dvec3, 3>> const& triangles
 /// How far behind its start a line is searched, in multiples of the rounding: a crossing that grazes at 1e-6
 /// rad and lies within the rounding of the start along its normal.
 constexpr double far_behind = 1e6;
+
+/// A line that passes an edge within so many roundings may meet both its triangles at one place, though
+/// Embree does not propose the one that it meets at a slope of down to their inverse.
+constexpr double edge_roundings = 1e5;
 
 /// The first place from the start on where a ray leaves or enters a shell. Where that does not fit what the
 /// ray is in, t tells where, and the crossing is one of that place that would fit.
@@ -73,25 +90,16 @@ struct MeshTree::Line {
 };
 
 MeshTree::MeshTree(std::shared_ptr<Mesh const> mesh)
-    : mesh_(std::move(mesh)), triangles_(mesh_->soup.positions, mesh_->soup.triangles) {
-    auto const& p = mesh_->soup.positions;
-    corners_.reserve(mesh_->soup.triangles.size());
-    for (auto const& [a, b, c] : mesh_->soup.triangles)
-        corners_.push_back({p[a], p[b], p[c]});
-}
+    : mesh_(std::move(mesh)), corners_(corners_of(*mesh_)), triangles_(corners_) {}
 
 BoxTree const& MeshTree::boxes() const {
     std::call_once(boxes_built_, [this] { boxes_.emplace(bounds_of(corners_)); });
     return *boxes_;
 }
 
-int MeshTree::sign_of(std::uint32_t triangle) const {
-    return mesh_->shells[mesh_->shells.size() == 1 ? 0 : mesh_->triangle_shell[triangle]].sign;
-}
-
 dvec3 MeshTree::normal(std::uint32_t triangle) const {
     auto const& [a, b, c] = corners_[triangle];
-    return double(sign_of(triangle)) * normalize(precise_cross(b - a, c - a));
+    return normalize(precise_cross(b - a, c - a));
 }
 
 dvec3 MeshTree::onto(std::uint32_t triangle, dvec3 const& point) const {
@@ -123,6 +131,14 @@ struct MeshTree::Projected {
         v = a.x * c.y - a.y * c.x;
         w = b.x * a.y - b.y * a.x;
     }
+    /// Does the line pass some edge, or its end, within `distance`? Beyond the ends of an edge it may say so
+    /// too.
+    bool close_to_border(double distance) const {
+        auto const& [a, b, c] = flat;
+        double const squared = distance * distance;
+        return u * u <= squared * dot(c - b, c - b) || v * v <= squared * dot(a - c, a - c) ||
+               w * w <= squared * dot(b - a, b - a);
+    }
     /// Does the line pass through the triangle seen with this sense (±1), or no farther than `distance` from
     /// it?
     bool near(double sense, double distance) const {
@@ -133,20 +149,25 @@ struct MeshTree::Projected {
 };
 
 std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t triangle) const {
-    Projected const seen(line, corners_[triangle]);
+    return meet(line, Projected(line, corners_[triangle]), triangle);
+}
+
+std::optional<MeshCrossing> MeshTree::meet(Line const& line, Projected const& seen,
+                                           std::uint32_t triangle) const {
     auto const& [a, b, c] = seen.flat;
     bool const positive = is_positive(seen.u, b, c);
     if (is_positive(seen.v, c, a) != positive || is_positive(seen.w, a, b) != positive)
         return std::nullopt;
     MeshCrossing crossing = crossing_of(line, seen, triangle);
-    crossing.enters = positive == (sign_of(triangle) > 0);
+    crossing.enters = positive;
     return crossing;
 }
 
 MeshCrossing MeshTree::crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const {
     MeshCrossing crossing;
     double const sum = seen.u + seen.v + seen.w;
-    crossing.uv = sum != 0.0 ? dvec2(seen.v, seen.w) / sum : dvec2(0.0);
+    bool const turned = mesh_->shells[mesh_->triangle_shell[triangle]].sign < 0;
+    crossing.uv = sum == 0.0 ? dvec2(0.0) : (turned ? dvec2(seen.w, seen.v) : dvec2(seen.v, seen.w)) / sum;
     crossing.triangle = triangle;
     // t from the plane, whose normal has its digits in needles too; within the corners' range, where the line
     // runs along the plane
@@ -159,8 +180,8 @@ MeshCrossing MeshTree::crossing_of(Line const& line, Projected const& seen, std:
     crossing.slope = std::abs(along) * by_length;
     crossing.range = high - low;
     crossing.per_metre = std::abs(line.shear_z);
-    crossing.enters = (along < 0.0) == (sign_of(triangle) > 0);
-    crossing.normal = (sign_of(triangle) * by_length) * normal;
+    crossing.enters = along < 0.0;
+    crossing.normal = by_length * normal;
     return crossing;
 }
 
@@ -196,14 +217,19 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
     double unfit = INFINITY;                          // t of the nearest crossing that contradicts `inside`
     double const end = in_some ? INFINITY : reach.to; // what the ray is in must be left somewhere
     constexpr double no = INFINITY;
-    triangles_.visit(origin, direction, {reach.from, end}, [&](Proposal const& proposal) {
+    double const edge = edge_roundings * rounding;
+    double doubt = INFINITY; // t where a triangle is grazed, or its border passed closely
+    auto const visitor = [&](Proposal const& proposal) {
         bool const in = is_in(proposal.triangle);
-        if (proposal.sense != 0 && ((proposal.sense < 0) == (sign_of(proposal.triangle) > 0)) == in) {
+        if (proposal.sense != 0 && (proposal.sense < 0) == in) {
             if (proposal.t > reach.from + blur) // otherwise it is the one that the ray started on
                 unfit = std::min(unfit, proposal.t - blur);
             return no;
         }
-        auto const c = meet(line, proposal.triangle);
+        Projected const seen(line, corners_[proposal.triangle]);
+        auto const c = meet(line, seen, proposal.triangle);
+        if (proposal.sense == 0 || seen.close_to_border(edge))
+            doubt = std::min(doubt, c ? c->t : proposal.t - blur);
         if (!c)
             return no;
         double const distance = (c->t - reach.from) * c->slope;
@@ -219,10 +245,12 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
         if (std::pair(c->t, c->triangle) < std::pair(best.t, best.triangle))
             best = *c;
         return best.t + 2.0 * best.blur(rounding);
-    });
+    };
+    triangles_.visit(origin, direction, {reach.from, end}, visitor);
     bool const nothing = best.t == INFINITY;
-    doubtful =
-        doubtful || (nothing ? in_some || unfit < INFINITY : unfit <= best.t + 2.0 * best.blur(rounding));
+    double const first_doubt = std::min(unfit, doubt);
+    doubtful = doubtful || (nothing ? in_some || first_doubt < INFINITY
+                                    : first_doubt <= best.t + 2.0 * best.blur(rounding));
     if (in_some && !mesh_->closed()) // through a hole another shell may be met than the one that was left
         for (std::uint32_t shell = 0; shell < shells; ++shell)
             doubtful = doubtful || (inside[shell] && mesh_->triangle_shell[best.triangle] != shell);

@@ -80,6 +80,7 @@ class MeshTree {
     struct Line;
     struct Projected;
     std::optional<MeshCrossing> meet(Line const& line, std::uint32_t triangle) const;
+    std::optional<MeshCrossing> meet(Line const& line, Projected const& seen, std::uint32_t triangle) const;
     MeshCrossing crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const;
     std::vector<MeshCrossing> all(Line const& line, double from, double rounding) const;
     /// Where a line contradicts what the ray is in: the nearest triangle that fits and that the line misses
@@ -89,7 +90,6 @@ class MeshTree {
                                             double rounding) const;
 
     BoxTree const& boxes() const;
-    int sign_of(std::uint32_t triangle) const; // of its shell
 
     std::shared_ptr<Mesh const> mesh_;
     std::vector<std::array<dvec3, 3>> corners_; // by triangle, so that meeting one is one place in memory

@@ -28,9 +28,10 @@ class MeshWalk {
         Mesh const& mesh = tree_.mesh();
         double const kind = dice_.uniform();
         dvec3 const target = kind < 0.25  ? a_vertex()
-                             : kind < 0.5 ? on_an_edge()
+                             : kind < 0.6 ? on_an_edge()
                                           : dice_.in_box(mesh.low, mesh.high);
-        dvec3 direction = dice_.direction();
+        bool const along = kind < 0.15 || (kind >= 0.25 && kind < 0.4);
+        dvec3 direction = along ? grazing() : dice_.direction();
         dvec3 origin = target - size_ * dice_.between(1.05, 2.0) * direction; // outside
         ShellSet inside;
         for (int step = 0; step < steps; ++step) {
@@ -77,7 +78,14 @@ class MeshWalk {
     }
     std::array<std::uint32_t, 3> a_triangle() {
         auto const& triangles = tree_.mesh().soup.triangles;
-        return triangles[dice_.below(triangles.size())];
+        last_ = static_cast<std::uint32_t>(dice_.below(triangles.size()));
+        return triangles[last_];
+    }
+    /// Along the triangle that the target is of, but for 1e-7 to 1e-1.
+    dvec3 grazing() {
+        dvec3 const normal = tree_.normal(last_);
+        return normalize(perpendicular_to(normal, dice_.direction()) +
+                         dice_.sign() * dice_.log_between(1e-7, 1e-1) * normal);
     }
     dvec3 a_vertex() { return tree_.mesh().soup.positions[a_triangle()[0]]; }
     dvec3 on_an_edge() {
@@ -89,6 +97,7 @@ class MeshWalk {
     MeshTree const& tree_;
     Dice dice_;
     double size_;
+    std::uint32_t last_ = 0; // triangle that was chosen last
 };
 
 } // namespace sahl::bench

@@ -14,13 +14,17 @@ namespace {
 /// triangle that it meets at a slope of a tenth.
 constexpr double growth_ulps = 32.0;
 
+/// Triangles are lifted outward by this many ulp of the mesh's size: a line that cuts off a corner so thin
+/// that float cannot see it meets them, if not the right ones. It meets them at a small slope, which is told.
+constexpr double lift_ulps = 6.0;
+
 /// Below this slope the sign of normal · direction is left open: the float normal of a grown triangle, whose
 /// height is at least twice the growth, may be wrong by so much.
-constexpr double sure_slope = 0.05;
+constexpr double sure_slope = 0.02;
 
 /// Embree's t of a triangle that is met at a slope s is wrong by fewer ulp of the mesh's size than this over
 /// s.
-constexpr double t_ulps = 8.0;
+constexpr double t_ulps = 16.0;
 
 /// How much more of the line than was asked for is searched on either side, as a share of the mesh's size:
 /// room for that error at slopes down to 1e-4.
@@ -106,17 +110,17 @@ struct TriangleTree::State {
     }
 };
 
-TriangleTree::TriangleTree(std::span<dvec3 const> positions,
-                           std::span<std::array<std::uint32_t, 3> const> triangles)
+TriangleTree::TriangleTree(std::span<std::array<dvec3, 3> const> triangles)
     : state_(std::make_unique<State>()) {
     State& state = *state_;
     if (triangles.empty())
         return;
     dvec3 low(INFINITY), high(-INFINITY);
-    for (dvec3 const& p : positions) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
+    for (Corners const& triangle : triangles)
+        for (dvec3 const& p : triangle) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
     state.centre = 0.5 * (low + high);
     state.size = length(high - low);
     double const growth = growth_ulps * float_ulp * state.size + std::numeric_limits<float>::min();
@@ -129,13 +133,17 @@ TriangleTree::TriangleTree(std::span<dvec3 const> positions,
     auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles.size()));
     unsigned next = 0;
-    for (auto const& [a, b, c] : triangles)
-        for (dvec3 const& corner : grown({positions[a], positions[b], positions[c]}, growth)) {
-            dvec3 const p = corner - state.centre;
+    double const lift = lift_ulps * float_ulp * state.size;
+    for (Corners const& triangle : triangles) {
+        Corners const larger = grown(triangle, growth);
+        dvec3 const normal = cross(larger[1] - larger[0], larger[2] - larger[0]);
+        dvec3 const shift = lift / length(normal) * normal - state.centre;
+        for (dvec3 const& corner : larger) {
             for (int axis = 0; axis < 3; ++axis)
-                *vertex++ = static_cast<float>(p[axis]);
+                *vertex++ = static_cast<float>(corner[axis] + shift[axis]);
             *index++ = next++;
         }
+    }
     rtcSetGeometryIntersectFilterFunction(geometry, propose);
     state.scene = scene_of(geometry, RTC_SCENE_FLAG_NONE);
 }

@@ -22,7 +22,8 @@ struct Proposal {
 
 class TriangleTree {
   public:
-    TriangleTree(std::span<dvec3 const> positions, std::span<std::array<std::uint32_t, 3> const> triangles);
+    /// Corners anticlockwise, seen from where most lines come.
+    explicit TriangleTree(std::span<std::array<dvec3, 3> const> triangles);
     TriangleTree(TriangleTree&&) noexcept;
     TriangleTree& operator=(TriangleTree&&) noexcept;
     ~TriangleTree();
