@@ -228,7 +228,7 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
         }
         Projected const seen(line, corners_[proposal.triangle]);
         auto const c = meet(line, seen, proposal.triangle);
-        if (proposal.sense == 0 || seen.close_to_border(edge))
+        if (!c || proposal.sense == 0 || seen.close_to_border(edge))
             doubt = std::min(doubt, c ? c->t : proposal.t - blur);
         if (!c)
             return no;
