@@ -1,5 +1,5 @@
 // Hits nearer than a distance in proportion to the largest coordinate of the start do not count: 1500 · 2⁻²⁴
-// of it, the measure of Mitsuba 3 (include/mitsuba/core/math.h, RayEpsilon) in single precision.
+// of it, the number that Mitsuba calls RayEpsilon (there of 1 plus that coordinate).
 #include "float_finder.h"
 
 #include <algorithm>
