@@ -155,11 +155,17 @@ struct MetalMeeting {
 struct MetalRegime {
     std::string name;
     std::function<MetalMeeting(Dice&)> draw;
+    bool near_critical = false;
 };
 
 inline std::vector<MetalRegime> metal_regimes() {
     auto const any = [](Dice& d) {
         return std::complex<double>{d.log_between(0.01, 10.0), d.log_between(0.1, 20.0)};
+    };
+    auto const thin = [](Dice& d) {
+        double const n1 = d.between(1.0, 3.0);
+        return MetalMeeting{
+            at_angle(d.between(0.0, 1.5707)), n1, {n1 * d.log_between(0.1, 0.9), d.log_between(1e-3, 0.1)}};
     };
     return {
         {"metals, any angle",
@@ -180,13 +186,22 @@ inline std::vector<MetalRegime> metal_regimes() {
              return MetalMeeting{
                  at_angle(d.between(0.0, 1.5)), n1, {n1 * d.between(1.0, 2.0), d.log_between(1e-12, 0.1)}};
          }},
-        {"nearly transparent, n below the medium's",
+        {"nearly transparent, n below the medium's, away from the critical angle",
          [=](Dice& d) {
-             double const n1 = d.between(1.0, 3.0);
-             return MetalMeeting{at_angle(d.between(0.0, 1.5707)),
-                                 n1,
-                                 {n1 * d.log_between(0.1, 0.9), d.log_between(1e-3, 0.1)}};
+             for (;;) {
+                 MetalMeeting const m = thin(d);
+                 double const n = m.metal.real() / m.n1;
+                 if (std::abs(n * n - m.incidence.sine * m.incidence.sine) > 0.05)
+                     return m;
+             }
          }},
+        {"nearly transparent, n below the medium's, near the critical angle",
+         [=](Dice& d) {
+             MetalMeeting m = thin(d);
+             m.incidence = at_angle(std::asin(m.metal.real() / m.n1) + d.sign() * d.log_between(1e-17, 1e-2));
+             return m;
+         },
+         true},
         {"nearly matched, n to 1e-2 … 1e-12, k the same",
          [=](Dice& d) {
              double const n1 = d.between(1.0, 3.0);
