@@ -51,7 +51,10 @@ std::uint32_t bits_of(Turns const& turns) {
     return bits;
 }
 
-constexpr int jogs = 200; // that say that rounding cannot have led to an answer
+/// Attempts that say that rounding cannot have led to an answer; in float, where many are wrong, fewer do.
+int jogs_for(double ulp) {
+    return ulp < 1e-10 ? 200 : 24;
+}
 
 class Judge {
   public:
@@ -205,7 +208,7 @@ void Judge::follow_line(TortureRay const& ray, std::uint64_t number) {
     if (agrees(slow_, slow_.line(exact(slow_, stand), turns), answers))
         return;
     bool possible = false;
-    for (int k = 0; k < jogs && !possible; ++k) {
+    for (int k = 0; k < jogs_for(method_.ulp()) && !possible; ++k) {
         ExactStart<Quad> const near = exact(slow_, jogged(stand, k));
         possible = agrees(slow_, slow_.line(near, turns), answers);
     }
@@ -246,7 +249,7 @@ void Judge::follow(TortureRay const& ray, std::uint64_t number) {
             shift = std::abs(static_cast<double>((Quad(got.t) - slow->t) * slow->slope));
         } else {
             bool possible = false;
-            for (int k = 0; k < jogs && !possible; ++k)
+            for (int k = 0; k < jogs_for(method_.ulp()) && !possible; ++k)
                 possible = right(slow_, jogged(stand, k), turns, got, total).has_value();
             tell(possible ? "ambiguous" : "wrong", number, event, stand, turns, got);
             blame(possible, got.kind == Kind::lost);

@@ -139,7 +139,8 @@ int main(int argc, char** argv) {
             if (csv)
                 csv << '"' << torture.name << "\"," << torture.of << ',' << options.variant << ',' << names[m]
                     << ',' << v.rays << ',' << v.events << ',' << v.wrong << ',' << v.lost << ','
-                    << v.ambiguous << ',' << v.wrong_per_million() << ',' << times[m] << '\n';
+                    << v.ambiguous << ',' << v.wrong_per_million() << ',' << times[m]
+                    << std::endl; // flushed: it takes long
         }
     }
     return 0;
