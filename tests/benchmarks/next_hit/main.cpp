@@ -98,6 +98,12 @@ std::vector<double> times_of(TortureCase const& torture, std::vector<std::unique
     return times;
 }
 
+bool all_meshes(TortureCase const& torture) {
+    return std::all_of(torture.parts.begin(), torture.parts.end(), [](TorturePart const& part) {
+        return std::holds_alternative<MeshRef>(part.geometry);
+    });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -115,7 +121,7 @@ int main(int argc, char** argv) {
         std::vector<std::unique_ptr<Finder>> methods;
         std::vector<char const*> names;
         for (Way const& way : ways)
-            if ((!way.meshes_only || torture.of == "mesh") &&
+            if ((!way.meshes_only || all_meshes(torture)) &&
                 (options.method.empty() || way.name == options.method)) {
                 methods.push_back(way.make(torture));
                 names.push_back(way.name);
