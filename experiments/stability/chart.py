@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""In: results.csv and formulae.csv, as the benchmarks next_hit and formulae write them. Out: results.md, formulae.md and
-chart.svg beside them: wrong events per million against nanoseconds an event, each method on the same rays.
+"""In: results.csv, results-long.csv (more rays, Sahl alone; it may be absent) and formulae.csv, as the benchmarks next_hit
+and formulae write them. Out: results.md, formulae.md and chart.svg beside them: wrong events per million against
+nanoseconds an event, each method on the same rays.
 
-    build/release/benchmarks/next_hit --rays 1000000 --csv experiments/stability/results.csv
+    build/release/benchmarks/next_hit --rays 2000 --csv experiments/stability/results.csv
+    build/release/benchmarks/next_hit --rays 1000000 --method sahl --no-time --csv experiments/stability/results-long.csv
     build/release/benchmarks/formulae 1000000 experiments/stability/formulae.csv
     experiments/stability/chart.py
 """
@@ -29,7 +31,18 @@ def pooled(rows):
     return sum(rates) / len(rates), median([float(r["ns_per_event"]) for r in rows])
 
 
-def write_tables(rows):
+def long_table(rows):
+    """Sahl alone, on many rays: what is wrong or left open by rounding."""
+    total = {k: sum(int(r[k]) for r in rows) for k in ("rays", "events", "wrong", "ambiguous")}
+    out = ["", f"Sahl on more rays: {len(rows)} cases, {total['rays']} rays, {total['events']} events, {total['wrong']} wrong, "
+           f"{total['ambiguous']} ambiguous. Cases with any:", "", "| case | of | rays | events | wrong | ambiguous |", "|---|---|---|---|---|---|"]
+    for r in rows:
+        if r["wrong"] != "0" or r["ambiguous"] != "0":
+            out.append(f"| {r['case']} | {r['of']} | {r['rays']} | {r['events']} | {r['wrong']} | {r['ambiguous']} |")
+    return out
+
+
+def write_tables(rows, more_rows):
     by_method = defaultdict(list)
     by_case = defaultdict(dict)
     for r in rows:
@@ -47,6 +60,8 @@ def write_tables(rows):
                 clean = sum(r["wrong"] == "0" for r in mine)
                 out.append(f"| {method} | {of} | {len(mine)} | {total['events']} | {total['wrong']} | {total['ambiguous']} "
                            f"| {rate:.3g} | {clean} | {ns:.0f} |")
+    if more_rows:
+        out += long_table(more_rows)
     out += ["", "Wrong events per million, case by case; in brackets what the method's own rounding leaves open.", "",
             "| case | of | events (sahl) | " + " | ".join(METHODS) + " |", "|---|---|---|" + "---|" * len(METHODS)]
     for (case, of), cells in by_case.items():
@@ -126,6 +141,10 @@ def write_formulae(text):
 if __name__ == "__main__":
     with open(HERE / "results.csv", encoding="utf-8") as file:
         measured = list(csv.DictReader(file))
-    write_tables(measured)
+    more = []
+    if (HERE / "results-long.csv").exists():
+        with open(HERE / "results-long.csv", encoding="utf-8") as file:
+            more = list(csv.DictReader(file))
+    write_tables(measured, more)
     write_chart(measured)
     write_formulae((HERE / "formulae.csv").read_text(encoding="utf-8"))
