@@ -2,6 +2,8 @@
 
 #include "geometry/embree/box_tree.h"
 #include "geometry/placed.h"
+#include "geometry/survey.h"
+#include "geometry/touching.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +17,12 @@ struct Bvh::State {
     std::vector<std::uint32_t> unbounded;
     std::vector<std::uint32_t> bounded; // by index in the tree
     std::optional<BoxTree> tree;        // where there are many bounded objects
-    std::vector<std::pair<FaceId, FaceId>> contacts;
-    std::vector<std::vector<FaceId>> partners; // by FaceId
+    Touching touch;                     // two candidates at one place
+    std::vector<MadeFlush> made_flush;
+    bool lone = false; // one object, no shell of which touches another
 
     NextHit next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
                          double from) const;
-    FaceId face_of(Candidate const& c) const {
-        return {objects[c.object].geometry.first_face.value + c.face};
-    }
-    bool touch(Candidate const& one, Candidate const& other) const {
-        if (!objects[one.object].exact() || !objects[other.object].exact())
-            return flush(objects[one.object], one, objects[other.object], other);
-        auto const& with = partners[face_of(one).value];
-        return std::find(with.begin(), with.end(), face_of(other)) != with.end();
-    }
 };
 
 namespace {
@@ -36,34 +30,6 @@ namespace {
 /// Below this many objects asking each is quicker than a hierarchy of boxes (measured: six spheres against
 /// Embree).
 constexpr std::size_t few = 6;
-
-bool overlap(Placed const& a, Placed const& b) {
-    if (!a.bounded || !b.bounded)
-        return true;
-    double const margin =
-        1e-9 * (length(a.box.high - a.box.low) + length(b.box.high - b.box.low)); // far above rounding
-    return glm::all(glm::lessThanEqual(a.box.low, b.box.high + margin)) &&
-           glm::all(glm::lessThanEqual(b.box.low, a.box.high + margin));
-}
-
-std::vector<std::pair<FaceId, FaceId>> find_contacts(std::vector<Placed> const& objects) {
-    std::vector<std::pair<FaceId, FaceId>> contacts;
-    for (std::size_t i = 0; i < objects.size(); ++i)
-        for (std::size_t j = i + 1; j < objects.size(); ++j) {
-            Placed const& a =
-                objects[i].bounded ? objects[i] : objects[j]; // the reach is that of a bounded one
-            Placed const& b = objects[i].bounded ? objects[j] : objects[i];
-            if (!a.exact() || !b.exact() || !overlap(a, b))
-                continue;
-            double const reach = a.bounded ? a.extent : 1.0;
-            for (std::uint32_t f = 0; f < a.face_count(); ++f)
-                for (std::uint32_t g = 0; g < b.face_count(); ++g)
-                    if (coincide(a.carrier(f), a.geometry.to_world, b.carrier(g), b.geometry.to_world, reach))
-                        contacts.emplace_back(FaceId{a.geometry.first_face.value + f},
-                                              FaceId{b.geometry.first_face.value + g});
-        }
-    return contacts;
-}
 
 bool misses(Bounds const& box, dvec3 const& origin, dvec3 const& direction, double from, double to) {
     double const margin = 1e-12 * (length(box.high - box.low) + length(origin)); // far above rounding
@@ -88,7 +54,6 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State
             one = std::make_shared<Kind>(mesh);
         return one;
     };
-    std::uint32_t faces = 0;
     for (PlacedGeometry& geometry : geometries) {
         std::shared_ptr<MeshTree const> tree;
         std::shared_ptr<MeshSheet const> sheet;
@@ -100,7 +65,6 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State
         }
         state_->objects.push_back(place(std::move(geometry), std::move(tree), std::move(sheet)));
         Placed const& placed = state_->objects.back();
-        faces = std::max(faces, placed.geometry.first_face.value + placed.face_count());
         auto& list = placed.bounded ? state_->bounded : state_->unbounded;
         list.push_back(static_cast<std::uint32_t>(state_->objects.size() - 1));
     }
@@ -110,12 +74,20 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State
             boxes.push_back(state_->objects[object].box);
         state_->tree.emplace(boxes);
     }
-    state_->contacts = find_contacts(state_->objects);
-    state_->partners.resize(faces);
-    for (auto const& [one, other] : state_->contacts) {
-        state_->partners[one.value].push_back(other);
-        state_->partners[other.value].push_back(one);
+    state_->touch = Touching(state_->objects);
+    if (!state_->touch.to_make_flush().empty()) {
+        for (FlushMesh& flush : sahl::made_flush(state_->objects, state_->touch.to_make_flush())) {
+            Placed& object = state_->objects[flush.object];
+            PlacedGeometry geometry = object.geometry;
+            geometry.geometry = flush.mesh;
+            bool const open = geometry.open;
+            object = place(std::move(geometry), open ? nullptr : std::make_shared<MeshTree const>(flush.mesh),
+                           open ? std::make_shared<MeshSheet const>(flush.mesh) : nullptr);
+            state_->made_flush.push_back({flush.object, flush.farthest});
+        }
+        state_->touch = Touching(state_->objects);
     }
+    state_->lone = state_->objects.size() == 1 && !state_->touch.objects(0, 0);
 }
 
 Bvh::Bvh(Bvh&&) noexcept = default;
@@ -140,14 +112,37 @@ NextHit Bvh::State::next_of_lone(dvec3 const& origin, dvec3 const& direction, Sh
     return hit;
 }
 
+namespace {
+
+/// The nearest crossings so far.
+struct Nearest {
+    InlineVector<Candidate, 16> candidates;
+    double horizon = INFINITY; // nothing beyond it can be at the nearest place
+
+    void take(Candidate const& found) {
+        if (candidates.full()) { // keep the nearer ones
+            auto* const farthest = std::max_element(candidates.begin(), candidates.end(),
+                                                    [](auto const& a, auto const& b) { return a.t < b.t; });
+            if (found.t >= farthest->t)
+                return;
+            candidates.erase(farthest);
+        }
+        candidates.push_back(found);
+        horizon = std::min(horizon, found.t + 2.0 * std::min(found.blur, std::abs(found.t) + 1.0));
+    }
+};
+
+} // namespace
+
 NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
                   double from) const {
     State const& state = *state_;
-    if (state.objects.size() == 1 && left.empty())
+    if (state.lone && left.empty())
         return state.next_of_lone(origin, direction, inside, from);
-    InlineVector<Candidate, 16> candidates;
+    Nearest nearest_ones;
+    auto& candidates = nearest_ones.candidates;
+    double& horizon = nearest_ones.horizon;
     double contradiction = INFINITY;
-    double horizon = INFINITY; // nothing beyond it can be at the nearest place
 
     auto const ask = [&](std::uint32_t index) {
         Placed const& object = state.objects[index];
@@ -161,15 +156,15 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         if (found.t == INFINITY)
             return;
         found.object = index;
-        if (candidates.full()) { // keep the nearer ones
-            auto* const farthest = std::max_element(candidates.begin(), candidates.end(),
-                                                    [](auto const& a, auto const& b) { return a.t < b.t; });
-            if (found.t >= farthest->t)
-                return;
-            candidates.erase(farthest);
+        nearest_ones.take(found);
+        if (found.primitive >= 0 && !found.open &&
+            state.touch(found, found)) { // another shell of the mesh lies on this one
+            Candidate second;
+            object.next(origin, direction, object.after(found, inside), {found.t, horizon}, {}, second);
+            second.object = index;
+            if (second.t <= found.t + found.blur + second.blur && state.touch(second, second))
+                nearest_ones.take(second);
         }
-        candidates.push_back(found);
-        horizon = std::min(horizon, found.t + 2.0 * std::min(found.blur, std::abs(found.t) + 1.0));
     };
 
     for (std::uint32_t const index : state.unbounded)
@@ -180,14 +175,19 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
             return horizon;
         });
     } else {
-        bool const several = state.bounded.size() > 1;
-        for (std::uint32_t const index : state.bounded) {
-            Placed const& object = state.objects[index];
-            if (several && !inside.contains(object.geometry.first_shell) &&
-                misses(object.box, origin, direction, from, horizon))
-                continue;
-            ask(index);
-        }
+        // what the ray is in must be left: asked first, that bounds the way to anything else
+        auto const in = [&](std::uint32_t index) {
+            return inside.contains(state.objects[index].geometry.first_shell);
+        };
+        bool const some_in = !inside.empty() && state.bounded.size() > 1;
+        for (std::uint32_t const index : state.bounded)
+            if (some_in && in(index))
+                ask(index);
+        for (std::uint32_t const index : state.bounded)
+            if (!(some_in && in(index)) &&
+                !(state.bounded.size() > 1 &&
+                  misses(state.objects[index].box, origin, direction, from, horizon)))
+                ask(index);
     }
 
     NextHit hit;
@@ -216,14 +216,19 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         hit.t = contradiction;
         return hit;
     }
+    // in the order in which they count: of more than fit, those that count last are left out
+    std::sort(candidates.begin(), candidates.end(),
+              [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
     InlineVector<Candidate, 8> together;
     for (Candidate const& c : candidates) {
         if (c.object != nearest.object && c.t > nearest.t + nearest.blur + c.blur)
             continue;
-        if (c.object == nearest.object || (state.touch(c, nearest) && !together.full()))
-            together.insert_sorted(c, [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
-        else if (c.open && !hit.beside.full())
-            hit.beside.push_back({c.object, c.enters});
+        if (c.object != nearest.object && !state.touch(c, nearest)) {
+            if (c.open && !hit.beside.full())
+                hit.beside.push_back({c.object, c.enters});
+        } else if (!together.full()) {
+            together.push_back(c);
+        }
     }
     for (Candidate const& c : together)
         hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction, from));
@@ -266,7 +271,19 @@ Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
 }
 
 std::vector<std::pair<FaceId, FaceId>> const& Bvh::contacts() const {
-    return state_->contacts;
+    return state_->touch.faces();
+}
+
+std::vector<Bvh::Tangency> const& Bvh::tangencies() const {
+    return state_->touch.tangencies();
+}
+
+std::vector<Bvh::MadeFlush> const& Bvh::made_flush() const {
+    return state_->made_flush;
+}
+
+std::vector<Bvh::Closeness> Bvh::closeness(double near) const {
+    return survey(state_->objects, state_->touch, near);
 }
 
 std::pair<dvec3, dvec3> Bvh::bounds() const {

@@ -9,6 +9,7 @@
 #include "math/inline_vector.h"
 #include "math/vec.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -93,8 +94,34 @@ class Bvh {
     };
     Start start_at(dvec3 const& point, dvec3 const& direction) const;
 
-    /// Pairs of faces of exact shapes that lie on the same surface.
+    /// Pairs of faces that lie on each other, each once.
     std::vector<std::pair<FaceId, FaceId>> const& contacts() const;
+    /// Faces of exact shapes that touch at one point (m, world).
+    struct Tangency {
+        FaceId one, other;
+        dvec3 at;
+    };
+    std::vector<Tangency> const& tangencies() const;
+    /// Meshes of float data whose vertices were moved onto what they touch, by no more than that data's
+    /// rounding (m, world).
+    struct MadeFlush {
+        std::uint32_t object = 0;
+        double farthest = 0.0;
+    };
+    std::vector<MadeFlush> const& made_flush() const;
+
+    /// Two objects that overlap, or come near each other without touching.
+    struct Closeness {
+        std::uint32_t one = 0, other = 0;
+        double overlap = 0.0; // m: the longest piece of a line found in both; 0: none
+        dvec3 overlap_at{0.0};
+        double gap = INFINITY; // m: the least found; ∞: none below what was asked for
+        dvec3 gap_at{0.0};
+        FaceId gap_one, gap_other; // between these
+    };
+    /// What lines through the places where boxes meet find: overlaps, and gaps below `near` (m). A sample, at
+    /// most 0.1 s of it: a small overlap may go unseen.
+    std::vector<Closeness> closeness(double near) const;
 
     /// The box of all that is bounded, in the world.
     std::pair<dvec3, dvec3> bounds() const;

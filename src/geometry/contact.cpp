@@ -33,8 +33,9 @@ std::optional<double> scale_of(dmat3 const& m) {
     return std::sqrt(squared);
 }
 
-/// A carrier seen through an affine map; nothing where it is not of the same kind any more.
-std::optional<Carrier> mapped(Carrier const& carrier, Affine const& map) {
+} // namespace
+
+std::optional<Carrier> seen_through(Carrier const& carrier, Affine const& map) {
     using Result = std::optional<Carrier>;
     return std::visit(
         Overloaded{
@@ -58,8 +59,6 @@ std::optional<Carrier> mapped(Carrier const& carrier, Affine const& map) {
         carrier);
 }
 
-} // namespace
-
 Carrier carrier_of(Region const& region) {
     switch (region.kind) {
     case Region::Kind::half_space:
@@ -80,14 +79,11 @@ bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& oth
     if (one.index() != other.index())
         return false;
     Affine const to_one = inverse(one_to_world);
-    auto const seen = mapped(other, compose(to_one, other_to_world));
+    auto const seen = seen_through(other, compose(to_one, other_to_world));
     if (!seen)
         return false;
-    // the coordinates that were rounded on the way, in the frame of the first
-    double const coordinates =
-        reach + length(to_one.offset) + size_of(to_one.linear) * length(other_to_world.offset);
     double const ulp = placement_ulps * std::numeric_limits<double>::epsilon();
-    double const distance = ulp * coordinates;
+    double const distance = placing_tolerance(one_to_world, other_to_world, reach);
     return std::visit(Overloaded{
                           [&](PlaneCarrier const& a) {
                               auto const& b = std::get<PlaneCarrier>(*seen);
@@ -113,14 +109,42 @@ bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& oth
                       one);
 }
 
-bool lie_on(std::array<dvec3, 3> const& points, PlaneCarrier const& plane, Affine const& to_plane) {
-    double const ulp = placement_ulps * std::numeric_limits<double>::epsilon();
-    return std::all_of(points.begin(), points.end(), [&](dvec3 const& point) {
-        dvec3 const local = to_plane.point(point);
-        double const coordinates =
-            length(local) + length(to_plane.offset) + size_of(to_plane.linear) * length(point);
-        return std::abs(dot(plane.normal, local) - plane.offset) <= ulp * coordinates;
-    });
+double placing_tolerance(Affine const& one_to_world, Affine const& other_to_world, double reach) {
+    Affine const to_one = inverse(one_to_world);
+    double const coordinates =
+        reach + length(to_one.offset) + size_of(to_one.linear) * length(other_to_world.offset);
+    return placement_ulps * std::numeric_limits<double>::epsilon() * coordinates;
+}
+
+std::optional<dvec3> tangent_point(Carrier const& one, Affine const& one_to_world, Carrier const& other,
+                                   Affine const& other_to_world, double reach) {
+    if (std::holds_alternative<SphereCarrier>(other) && !std::holds_alternative<SphereCarrier>(one))
+        return tangent_point(other, other_to_world, one, one_to_world,
+                             reach * size_of(one_to_world.linear) / size_of(other_to_world.linear));
+    auto const* const ball = std::get_if<SphereCarrier>(&one);
+    auto const seen = seen_through(other, compose(inverse(one_to_world), other_to_world));
+    if (!ball || !seen || !scale_of(one_to_world.linear))
+        return std::nullopt;
+    double const allowed =
+        placing_tolerance(one_to_world, other_to_world, reach) +
+        placement_ulps * std::numeric_limits<double>::epsilon() * (ball->radius + length(ball->centre));
+    if (auto const* const plane = std::get_if<PlaneCarrier>(&*seen)) {
+        double const height = dot(plane->normal, ball->centre) - plane->offset;
+        if (std::abs(std::abs(height) - ball->radius) > allowed)
+            return std::nullopt;
+        return one_to_world.point(ball->centre - height * plane->normal);
+    }
+    auto const* const second = std::get_if<SphereCarrier>(&*seen);
+    if (!second)
+        return std::nullopt;
+    dvec3 const between = second->centre - ball->centre;
+    double const distance = length(between);
+    bool const outside = std::abs(distance - ball->radius - second->radius) <= allowed;
+    bool const inside = std::abs(distance - std::abs(ball->radius - second->radius)) <= allowed;
+    if (distance <= allowed || !(outside || inside))
+        return std::nullopt;
+    double const sense = outside || ball->radius > second->radius ? 1.0 : -1.0;
+    return one_to_world.point(ball->centre + sense * ball->radius / distance * between);
 }
 
 } // namespace sahl

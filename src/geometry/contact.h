@@ -6,7 +6,6 @@
 #include "geometry/shape.h"
 #include "geometry/solid.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -38,10 +37,15 @@ Carrier sheet_carrier(); // z = 0
 bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other,
               Affine const& other_to_world, double reach);
 
-/// Do points of the world, a triangle's corners, lie on a plane to within the rounding of the coordinates?
-bool lie_on(std::array<dvec3, 3> const& points, PlaneCarrier const& plane, Affine const& to_plane);
+/// Where two carriers touch at one point: a ball and a plane, two balls. To the same rounding, in the world.
+std::optional<dvec3> tangent_point(Carrier const& one, Affine const& one_to_world, Carrier const& other,
+                                   Affine const& other_to_world, double reach);
 
-/// Do points of the world, a triangle's corners, lie on a plane to within the rounding of the coordinates?
-bool lie_on(std::array<dvec3, 3> const& points, PlaneCarrier const& plane, Affine const& to_plane);
+/// The rounding of the coordinates that two objects were placed by, m, in the frame of the first, `reach`
+/// from whose origin they meet.
+double placing_tolerance(Affine const& one_to_world, Affine const& other_to_world, double reach);
+
+/// A carrier seen through an affine map; nothing where it is not of the same kind any more.
+std::optional<Carrier> seen_through(Carrier const& carrier, Affine const& map);
 
 } // namespace sahl

@@ -1,7 +1,6 @@
 #include "geometry/placed.h"
 
 #include "math/overloaded.h"
-#include "math/products.h"
 
 #include <limits>
 
@@ -88,6 +87,15 @@ Placed::LocalRay Placed::local(dvec3 const& origin, dvec3 const& direction) cons
     return {o, moved ? to_local.vector(direction) : direction, rounding + start_ulps * distance};
 }
 
+namespace {
+
+/// Met straight on, a triangle has no extent along the line: what is left is rounding.
+double least_blur(Placed::LocalRay const& ray) {
+    return ray.rounding / length(ray.direction);
+}
+
+} // namespace
+
 double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
                     std::optional<bool> above, Candidate& found) const {
     LocalRay const ray = local(origin, direction);
@@ -122,7 +130,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 if (auto const& c = answer.crossing) {
                     auto const& soup = tree->mesh().soup;
                     found = Candidate{c->t,
-                                      c->blur(ray.rounding),
+                                      std::max(c->blur(ray.rounding), least_blur(ray)),
                                       0,
                                       soup.triangle_face[c->triangle],
                                       static_cast<std::int32_t>(c->triangle),
@@ -137,7 +145,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
             [&](Sheet const& sheet) {
                 if (auto const m = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
                     found = Candidate{m->t,
-                                      m->blur(ray.rounding),
+                                      std::max(m->blur(ray.rounding), least_blur(ray)),
                                       0,
                                       sheet->mesh().soup.triangle_face[m->triangle],
                                       static_cast<std::int32_t>(m->triangle),
@@ -149,6 +157,17 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
             },
         },
         met_by);
+}
+
+ShellSet Placed::after(Candidate const& candidate, ShellSet const& inside) const {
+    ShellId shell = geometry.first_shell;
+    if (Tree const* const tree = std::get_if<Tree>(&met_by))
+        shell.value += (*tree)->mesh().triangle_shell[static_cast<std::uint32_t>(candidate.primitive)];
+    ShellSet changed = inside;
+    changed.erase(shell);
+    if (candidate.enters)
+        changed.insert(shell);
+    return changed;
 }
 
 void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t index, Bvh::Start& into) const {
@@ -272,43 +291,6 @@ Carrier Placed::carrier(std::uint32_t face) const {
     if (Solid const* const solid = std::get_if<Solid>(&met_by))
         return carrier_of(solid->regions()[face]);
     return sheet_carrier();
-}
-
-namespace {
-
-std::optional<std::array<dvec3, 3>> corners_of(Placed const& placed, Candidate const& candidate) {
-    Mesh const* const mesh = placed.mesh();
-    if (!mesh)
-        return std::nullopt;
-    auto const& soup = mesh->soup;
-    auto const& [a, b, c] = soup.triangles[static_cast<std::uint32_t>(candidate.primitive)];
-    return std::array{soup.positions[a], soup.positions[b], soup.positions[c]};
-}
-
-bool triangle_lies_on(Placed const& one, Candidate const& at_one, Placed const& other,
-                      Candidate const& at_other) {
-    auto corners = corners_of(one, at_one);
-    if (!corners)
-        return false;
-    for (dvec3& corner : *corners)
-        corner = one.geometry.to_world.point(corner);
-    Carrier carrier = sheet_carrier();
-    if (auto const triangle = corners_of(other, at_other)) {
-        auto const& [a, b, c] = *triangle;
-        dvec3 const normal = normalize(precise_cross(b - a, c - a));
-        carrier = PlaneCarrier{normal, dot(normal, triangle->front())};
-    } else {
-        carrier = other.carrier(at_other.face);
-    }
-    auto const* const plane = std::get_if<PlaneCarrier>(&carrier);
-    return plane && lie_on(*corners, *plane, other.to_local);
-}
-
-} // namespace
-
-bool flush(Placed const& one, Candidate const& at_one, Placed const& other, Candidate const& at_other) {
-    // either may be the larger, whose plane is the more exact
-    return triangle_lies_on(one, at_one, other, at_other) || triangle_lies_on(other, at_other, one, at_one);
 }
 
 } // namespace sahl

@@ -49,6 +49,9 @@ struct Placed {
     double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
                 std::optional<bool> above, Candidate& found) const;
 
+    /// The shells that a ray is in behind a crossing of this object.
+    ShellSet after(Candidate const& candidate, ShellSet const& inside) const;
+
     /// Appends what a ray starting here is in or on.
     void start(dvec3 const& origin, dvec3 const& direction, std::uint32_t index, Bvh::Start& into) const;
 
@@ -65,9 +68,6 @@ struct Placed {
     Mesh const* mesh() const;                  // none: an exact shape
     bool exact() const { return !mesh(); }
 };
-
-/// Do two faces that are met at one place, one of them at least a triangle of a mesh, lie on one plane?
-bool flush(Placed const& one, Candidate const& at_one, Placed const& other, Candidate const& at_other);
 
 Placed place(PlacedGeometry geometry, std::shared_ptr<MeshTree const> tree,
              std::shared_ptr<MeshSheet const> sheet);

@@ -3,6 +3,7 @@
 #include "run/check_report.h"
 #include "run/check_words.h"
 #include "run/values.h"
+#include "scene/closeness.h"
 #include "scene/read_model.h"
 
 #include "math/input_error.h"
@@ -89,6 +90,11 @@ Value check_experiment(ExperimentSource const& source) {
     Remarks remarks = census_remarks(checked, experiment.limits.leak, !experiment.sweep.empty());
     remarks.warnings.insert(remarks.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
     doubt_units(experiment, scene, remarks);
+    auto const& wavelengths = optics.wavelengths();
+    if (auto const longest = std::max_element(wavelengths.begin(), wavelengths.end());
+        longest != wavelengths.end())
+        for (std::string& warning : near_warnings(scene, *longest))
+            remarks.warnings.push_back(std::move(warning));
     Value models = models_value(scene, true, &remarks);
     Table report = head("experiment", experiment.title, source.file.string(), remarks);
     report.emplace_back("objects", objects_value(checked));

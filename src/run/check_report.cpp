@@ -2,6 +2,7 @@
 
 #include "run/check_words.h"
 #include "run/values.h"
+#include "scene/closeness.h"
 
 namespace sahl {
 
@@ -122,10 +123,7 @@ Value detectors_value(Checked const& checked) {
 }
 
 Value contacts_value(Scene const& scene) {
-    std::vector<std::string> contacts;
-    for (auto const& [one, other] : scene.bvh->contacts())
-        contacts.push_back(scene.faces[one.value].name + " touches " + scene.faces[other.value].name);
-    return of(contacts);
+    return of(contact_lines(scene));
 }
 
 } // namespace sahl

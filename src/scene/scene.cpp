@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "scene/closeness.h"
 #include "scene/model_body.h"
 #include "scene/model_parts.h"
 #include "scene/read_model.h"
@@ -138,6 +139,8 @@ Scene build_scene(Experiment const& experiment) {
     for (std::uint32_t i = 0; i < experiment.detectors.size(); ++i)
         builder.add_detector(experiment.detectors[i], {i});
     scene.bvh = std::make_unique<Bvh const>(std::move(builder.geometries));
+    for (std::string& warning : overlap_warnings(scene))
+        scene.warnings.push_back(std::move(warning));
     return std::move(builder.scene);
 }
 

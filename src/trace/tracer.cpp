@@ -241,7 +241,8 @@ void Grove::pass_on(Branch const& branch, Interface const& interface, double pow
 
 void Grove::lose(Branch const& branch, Event event, double power, double t) {
     result_.tally.error.add(std::isfinite(power) ? power : 0.0, context_.unit);
-    result_.lost.push_back({first_ + branch.ray, event, branch.origin, power});
+    dvec3 const at = t > 0.0 && std::isfinite(t) ? branch.origin + t * branch.direction : branch.origin;
+    result_.lost.push_back({first_ + branch.ray, event, at, power, branch.origin, branch.direction});
     end(branch, event, power, t, branch.optical_path, nullptr);
 }
 

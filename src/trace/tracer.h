@@ -25,12 +25,14 @@ struct DetectorHit {
     double optical_path = 0.0; // m
 };
 
-/// A ray that was lost, and where.
+/// A ray that was lost, and where that showed: what it met there, or from there on, does not fit what it was
+/// in.
 struct LostRay {
     std::uint64_t ray = 0;
     Event event = Event::leak;
     dvec3 at{0.0};
-    double power = 0.0; // W
+    double power = 0.0;                // W
+    dvec3 origin{0.0}, direction{0.0}; // of its last piece
 };
 
 /// What a batch of rays leaves behind.
