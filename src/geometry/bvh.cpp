@@ -68,12 +68,6 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State
         auto& list = placed.bounded ? state_->bounded : state_->unbounded;
         list.push_back(static_cast<std::uint32_t>(state_->objects.size() - 1));
     }
-    if (state_->bounded.size() > few) {
-        std::vector<Bounds> boxes;
-        for (std::uint32_t object : state_->bounded)
-            boxes.push_back(state_->objects[object].box);
-        state_->tree.emplace(boxes);
-    }
     state_->touch = Touching(state_->objects);
     if (!state_->touch.to_make_flush().empty()) {
         for (FlushMesh& flush : sahl::made_flush(state_->objects, state_->touch.to_make_flush())) {
@@ -86,6 +80,12 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State
             state_->made_flush.push_back({flush.object, flush.farthest});
         }
         state_->touch = Touching(state_->objects);
+    }
+    if (state_->bounded.size() > few) {
+        std::vector<Bounds> boxes;
+        for (std::uint32_t object : state_->bounded)
+            boxes.push_back(state_->objects[object].box);
+        state_->tree.emplace(boxes);
     }
     state_->lone = state_->objects.size() == 1 && !state_->touch.objects(0, 0);
 }
@@ -205,7 +205,8 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         return hit;
     }
     auto const rank = [&](Candidate const& c) {
-        return std::tuple(!state.objects[c.object].geometry.detector, !c.open, c.object);
+        // bodies are left before others are entered: what only seems to overlap by rounding does not
+        return std::tuple(!state.objects[c.object].geometry.detector, !c.open, !c.open && c.enters, c.object);
     };
     Candidate const nearest =
         *std::min_element(candidates.begin(), candidates.end(), [&](auto const& a, auto const& b) {

@@ -206,7 +206,8 @@ std::vector<Bvh::Closeness> survey(std::span<Placed const> objects, Touching con
         };
         if (is_sheet(one) && is_sheet(other))
             continue;
-        Bvh::Closeness const found = PairSurvey(objects, touch, one, other, near).search(points);
+        Bvh::Closeness const found =
+            PairSurvey(objects, touch, one, other, touch.at_a_point(one, other) ? 0.0 : near).search(points);
         if (found.overlap > 0.0 || found.gap < near)
             close.push_back(found);
     }

@@ -66,6 +66,7 @@ struct Touching::Search {
     std::vector<Part> parts;
     std::vector<std::pair<FaceId, FaceId>> faces;
     std::vector<Bvh::Tangency> tangencies;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> tangent_objects;
     std::vector<PlacedFit> fits; // of meshes
     bool some_rounded = false;
     std::map<Mesh const*, bool> is_float;
@@ -118,8 +119,9 @@ void Touching::Search::shapes(std::uint32_t i, std::uint32_t j) {
                 };
                 if (!near(a) || !near(b))
                     continue;
-                add(i, f, j, g);
+                // beside the point there is a gap: no crossings are merged
                 tangencies.push_back({face_id(i, f), face_id(j, g), *at});
+                tangent_objects.emplace_back(std::minmax(i, j));
             }
         }
 }
@@ -172,7 +174,7 @@ void Touching::Search::shells_of(std::uint32_t i) {
 }
 
 Touching::Touching(std::span<Placed const> objects) : set_of_part_(objects.size()) {
-    Search search{objects, {}, {}, {}, {}, false, {}};
+    Search search{objects, {}, {}, {}, {}, {}, false, {}};
     for (auto const& [i, j] : neighbours(objects)) {
         bool const i_is_mesh = objects[i].mesh(), j_is_mesh = objects[j].mesh();
         if (i_is_mesh && j_is_mesh)
@@ -197,6 +199,8 @@ Touching::Touching(std::span<Placed const> objects) : set_of_part_(objects.size(
             objects_.emplace_back(part.object, part.touches);
     put_in_order(objects_);
     tangencies_ = std::move(search.tangencies);
+    put_in_order(search.tangent_objects);
+    tangent_objects_ = std::move(search.tangent_objects);
     if (search.some_rounded)
         to_make_flush_ = std::move(search.fits);
 

@@ -33,6 +33,9 @@ class Touching {
     std::vector<std::pair<FaceId, FaceId>> const& faces() const { return faces_; }
 
     /// Faces of exact shapes that touch at a point.
+    bool at_a_point(std::uint32_t one, std::uint32_t other) const { // one < other
+        return std::binary_search(tangent_objects_.begin(), tangent_objects_.end(), std::pair(one, other));
+    }
     std::vector<Bvh::Tangency> const& tangencies() const { return tangencies_; }
 
     /// All triangles that lie on something, if some of them do so only but for the rounding of float data;
@@ -60,6 +63,7 @@ class Touching {
     std::vector<std::vector<std::uint32_t>> set_of_part_;
     std::vector<std::vector<std::uint32_t>> sets_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> objects_; // (lower, higher), in order
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> tangent_objects_;
     std::vector<std::pair<FaceId, FaceId>> faces_;
     std::vector<Bvh::Tangency> tangencies_;
     std::vector<PlacedFit> to_make_flush_;

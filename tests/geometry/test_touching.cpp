@@ -382,8 +382,12 @@ TEST_CASE("a lens that lies on a plate touches it at one point") {
             auto const story = [&](double aside) {
                 return crossed(bvh, frame.point(dvec3(aside, 0.0, 0.0) - 0.002 * down), frame.vector(down));
             };
-            CHECK(story(0.0) == "-1+0 -0");   // starts in the lens
-            CHECK(story(1e-4) == "-1 +0 -0"); // where the gap is 0.1 µm
+            CHECK(story(1e-6) == "-1 +0 -0"); // where the gap is 0.01 nm
+            CHECK(story(1e-4) == "-1 +0 -0");
+            // at the point itself either is right, but for a leak
+            std::string const there = story(0.0);
+            CAPTURE(there);
+            CHECK((there == "-1 +0 -0" || there == "+0 -1 -0"));
         }
     }
     Part const lifted{Lens{0.05, -0.05, 0.004, 0.02}, at(0.0, 0.0, 1e-9)};
