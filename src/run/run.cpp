@@ -100,6 +100,8 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
                                              log ? &*log : nullptr, experiment.log, options.progress);
     if (log)
         log->close();
+    for (std::string& warning : hole_warnings(run.scene, outcome.holes))
+        run.scene.warnings.push_back(std::move(warning));
     run.summary = summary_of(experiment, run.scene, optics, outcome, facts);
     run.failures = failures_of(experiment, outcome);
     if (!writes)

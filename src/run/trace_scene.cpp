@@ -43,6 +43,7 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
                          emission.rays(),
                          0.0,
                          threads ? threads : static_cast<unsigned>(tbb::this_task_arena::max_concurrency())};
+    bool holes_sought = false;
     for (DetectorSpec const& detector : scene.detectors)
         outcome.detectors.emplace_back(detector, unit, optics.wavelengths().size(), scene.sources.size());
 
@@ -68,9 +69,14 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         outcome.tally.add(traced->result->tally);
         for (DetectorHit const& hit : traced->result->hits)
             outcome.detectors[hit.detector.value].add(hit);
-        for (LostRay const& ray : traced->result->lost)
+        for (LostRay const& ray : traced->result->lost) {
             if (outcome.lost.size() < lost_rays_named)
                 outcome.lost.push_back(ray);
+            if (!holes_sought) // few runs lose any
+                outcome.holes = holes_of(scene);
+            holes_sought = true;
+            count_leak(outcome.holes, ray);
+        }
         rays_done = std::min(rays_done + rays_per_batch, emission.rays());
         if (progress)
             progress(rays_done, emission.rays());

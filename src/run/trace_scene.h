@@ -4,6 +4,7 @@
 
 #include "record/detector.h"
 #include "record/ray_log.h"
+#include "run/holes.h"
 #include "trace/tracer.h"
 
 #include <functional>
@@ -18,6 +19,7 @@ struct TraceOutcome {
     std::uint64_t rays = 0;
     double seconds = 0.0;
     unsigned threads = 1;
+    std::vector<Hole> holes{}; // of meshes that are not closed, with the rays that leaked there
 };
 
 /// Called now and then from one thread with the number of rays done.

@@ -133,6 +133,55 @@ beam = {from_mm = [0, 0, 3000], toward = [0, 0, -1], radius_mm = 100, rays = 50}
     CHECK(shell.run("trace leak.toml --set limits.leak=1") == 0);
 }
 
+TEST_CASE("a torn mesh is traced, its leaks are counted hole by hole, and the status is 4") {
+    Shell shell;
+    // a cube of 20 mm without half of its back and half of its top
+    shell.write("torn.obj", R"(
+v -10 -10 -10
+v 10 -10 -10
+v -10 10 -10
+v 10 10 -10
+v -10 -10 10
+v 10 -10 10
+v -10 10 10
+v 10 10 10
+f 1 3 4
+f 5 6 8
+f 5 8 7
+f 1 2 6
+f 1 6 5
+f 3 8 4
+f 1 5 7
+f 1 7 3
+f 2 4 8
+f 2 8 6
+)");
+    shell.write("torn.toml", R"(
+[[object]]
+name = "cube"
+model = "torn.obj"
+length_unit = "mm"
+medium = "N-BK7"
+[[source]]
+name = "beam"
+beam = {from_mm = [0, 0, 50], toward = [0, 0, -1], radius_mm = 8, pattern = "hexagonal", rays = 400}
+)");
+    CHECK(shell.run("trace torn.toml --set trace.max_depth=1") == 4);
+    Value const summary = parse_json(shell.text("out/torn/summary.json"), "summary.json");
+    CHECK(!std::get<bool>(summary.find("passed")->data));
+    auto const leaks = std::get<std::int64_t>(summary.find("events")->find("leak")->data);
+    CHECK(leaks > 150); // half of the back is there
+    CHECK(leaks < 250);
+    CHECK(std::get<double>(summary.find("energy_W")->find("error")->data) > 0.3);
+    std::string warnings = to_json(*summary.find("warnings"));
+    CHECK(warnings.find("cube: " + std::to_string(leaks) + " rays leaked at the hole of 3 edges") !=
+          std::string::npos);
+    CHECK(warnings.find("-10) mm; close it there") != std::string::npos); // the back's, not the side's
+    Value const& first = std::get<Array>(summary.find("lost_rays")->data).front();
+    CHECK(std::get<std::string>(first.find("event")->data) == "leak");
+    CHECK(std::get<Array>(first.find("at_mm")->data).size() == 3);
+}
+
 TEST_CASE("a sweep writes a row for each value and a folder for each run") {
     Shell shell;
     shell.write("ball.toml",
