@@ -47,6 +47,13 @@ struct Mesh {
     std::uint64_t degenerate_triangles = 0; // dropped
     std::uint64_t flipped_triangles = 0;    // turned round so that neighbours agree
     bool closed() const { return boundary_edges == 0 && non_manifold_edges == 0; }
+    /// Where there is but one, no place in memory is looked at: a ray pays for each.
+    std::uint32_t shell_of(std::uint32_t triangle) const {
+        return shells.size() == 1 ? 0 : triangle_shell[triangle];
+    }
+    std::uint32_t face_of(std::uint32_t triangle) const {
+        return soup.face_names.size() == 1 ? 0 : soup.triangle_face[triangle];
+    }
 };
 
 /// Welds by exact position (−0 = +0), drops triangles without area, orients neighbours alike, finds the

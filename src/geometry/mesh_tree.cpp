@@ -166,7 +166,7 @@ std::optional<MeshCrossing> MeshTree::meet(Line const& line, Projected const& se
 MeshCrossing MeshTree::crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const {
     MeshCrossing crossing;
     double const sum = seen.u + seen.v + seen.w;
-    bool const turned = mesh_->shells[mesh_->triangle_shell[triangle]].sign < 0;
+    bool const turned = mesh_->shells[mesh_->shell_of(triangle)].sign < 0;
     crossing.uv = sum == 0.0 ? dvec2(0.0) : (turned ? dvec2(seen.w, seen.v) : dvec2(seen.v, seen.w)) / sum;
     crossing.triangle = triangle;
     // t from the plane, whose normal has its digits in needles too; within the corners' range, where the line
@@ -194,7 +194,7 @@ std::vector<MeshCrossing> MeshTree::all(Line const& line, double from, double ro
         return to;
     });
     std::sort(crossings.begin(), crossings.end(), [&](MeshCrossing const& a, MeshCrossing const& b) {
-        auto const shell = [&](MeshCrossing const& c) { return mesh_->triangle_shell[c.triangle]; };
+        auto const shell = [&](MeshCrossing const& c) { return mesh_->shell_of(c.triangle); };
         return std::tuple(shell(a), a.t, a.triangle) < std::tuple(shell(b), b.t, b.triangle);
     });
     return crossings;
@@ -253,7 +253,7 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
                                     : first_doubt <= best.t + 2.0 * best.blur(rounding));
     if (in_some && !mesh_->closed()) // through a hole another shell may be met than the one that was left
         for (std::uint32_t shell = 0; shell < shells; ++shell)
-            doubtful = doubtful || (inside[shell] && mesh_->triangle_shell[best.triangle] != shell);
+            doubtful = doubtful || (inside[shell] && mesh_->shell_of(best.triangle) != shell);
     if (doubtful)
         return next_exact(origin, direction, inside, reach, rounding);
     return nothing ? MeshAnswer{} : MeshAnswer{best, INFINITY};
@@ -267,7 +267,7 @@ MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, Ins
     auto first = crossings.begin();
     for (std::uint32_t shell = 0; shell < mesh_->shells.size(); ++shell) {
         auto const last = std::find_if(first, crossings.end(), [&](MeshCrossing const& c) {
-            return mesh_->triangle_shell[c.triangle] != shell;
+            return mesh_->shell_of(c.triangle) != shell;
         });
         MeshAnswer of_shell =
             change_of(stations_of(first, last, rounding), inside[shell], reach.from, rounding);
@@ -295,7 +295,7 @@ std::optional<MeshCrossing> MeshTree::just_missed(Line const& line, std::uint32_
     std::optional<MeshCrossing> best;
     double const start = reach.from - far_behind * rounding / length(line.direction);
     boxes().visit(line.origin, line.direction, {start, reach.to}, [&](std::uint32_t triangle, double to) {
-        if (mesh_->triangle_shell[triangle] != shell)
+        if (mesh_->shell_of(triangle) != shell)
             return to;
         Projected const seen(line, corners_[triangle]);
         MeshCrossing c = crossing_of(line, seen, triangle);
@@ -312,7 +312,7 @@ std::optional<MeshCrossing> MeshTree::just_missed(Line const& line, std::uint32_
 std::vector<bool> MeshTree::inside(dvec3 const& origin, dvec3 const& direction, double rounding) const {
     std::vector<bool> states(mesh_->shells.size(), false);
     std::vector<MeshCrossing> const crossings = all(Line(origin, direction), 0.0, rounding);
-    auto const shell_of = [&](MeshCrossing const& c) { return mesh_->triangle_shell[c.triangle]; };
+    auto const shell_of = [&](MeshCrossing const& c) { return mesh_->shell_of(c.triangle); };
     for (auto first = crossings.begin(); first != crossings.end();) {
         auto const last = std::find_if(first, crossings.end(),
                                        [&](auto const& c) { return shell_of(c) != shell_of(*first); });

@@ -128,11 +128,10 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 MeshAnswer const answer = tree->next(ray.origin, ray.direction,
                                                      {inside, geometry.first_shell}, reach, ray.rounding);
                 if (auto const& c = answer.crossing) {
-                    auto const& soup = tree->mesh().soup;
                     found = Candidate{c->t,
                                       std::max(c->blur(ray.rounding), least_blur(ray)),
                                       0,
-                                      soup.triangle_face[c->triangle],
+                                      tree->mesh().face_of(c->triangle),
                                       static_cast<std::int32_t>(c->triangle),
                                       c->uv,
                                       c->normal,
@@ -147,7 +146,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                     found = Candidate{m->t,
                                       std::max(m->blur(ray.rounding), least_blur(ray)),
                                       0,
-                                      sheet->mesh().soup.triangle_face[m->triangle],
+                                      sheet->mesh().face_of(m->triangle),
                                       static_cast<std::int32_t>(m->triangle),
                                       m->uv,
                                       sheet->normal(m->triangle),
@@ -259,8 +258,7 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
     crossing.object = candidate.object;
     crossing.primitive = candidate.primitive;
     if (Tree const* const tree = std::get_if<Tree>(&met_by))
-        crossing.shell.value +=
-            (*tree)->mesh().triangle_shell[static_cast<std::uint32_t>(candidate.primitive)];
+        crossing.shell.value += (*tree)->mesh().shell_of(static_cast<std::uint32_t>(candidate.primitive));
     crossing.point = point;
     crossing.normal = normal;
     crossing.facet_normal = facet;
