@@ -118,12 +118,15 @@ namespace {
 struct Nearest {
     InlineVector<Candidate, 16> candidates;
     double horizon = INFINITY; // nothing beyond it can be at the nearest place
+    double dropped = INFINITY; // the nearest t that one for which there was no room may have
 
     void take(Candidate const& found) {
         if (candidates.full()) { // keep the nearer ones
             auto* const farthest = std::max_element(candidates.begin(), candidates.end(),
                                                     [](auto const& a, auto const& b) { return a.t < b.t; });
-            if (found.t >= farthest->t)
+            Candidate const& out = found.t >= farthest->t ? found : *farthest;
+            dropped = std::min(dropped, out.t - out.blur);
+            if (&out == &found)
                 return;
             candidates.erase(farthest);
         }
@@ -217,7 +220,8 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         hit.t = contradiction;
         return hit;
     }
-    // in the order in which they count: of more than fit, those that count last are left out
+    hit.fits = nearest_ones.dropped > nearest.t + nearest.blur;
+    // in the order in which they count
     std::sort(candidates.begin(), candidates.end(),
               [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
     InlineVector<Candidate, 8> together;
@@ -225,10 +229,13 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         if (c.object != nearest.object && c.t > nearest.t + nearest.blur + c.blur)
             continue;
         if (c.object != nearest.object && !state.touch(c, nearest)) {
-            if (c.open && !hit.beside.full())
+            hit.fits = hit.fits && !(c.open && hit.beside.full());
+            if (c.open && hit.fits)
                 hit.beside.push_back({c.object, c.enters});
         } else if (!together.full()) {
             together.push_back(c);
+        } else {
+            hit.fits = false;
         }
     }
     for (Candidate const& c : together)

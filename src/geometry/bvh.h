@@ -67,6 +67,7 @@ struct NextHit {
     double t = 0.0;
     double blur = 0.0; // how far rounding may shift t
     Proof proof = Proof::clean;
+    bool fits = true; // false: more coincides there than can be held, and what is held is not all
 };
 
 class Bvh {

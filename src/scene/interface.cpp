@@ -114,7 +114,7 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
         if (hit.at_one_place.empty())
             return Meeting::nothing;
         Crossing const& first = hit.at_one_place.front();
-        if (!remember_sheets(scene, hit, left, found))
+        if (!hit.fits || !remember_sheets(scene, hit, left, found))
             return Meeting::too_deep;
         found.inside_before = found.inside_after;
         found.body_before = body;

@@ -178,7 +178,7 @@ TEST_CASE("in a wedge of two mirrors no ray slips through, however near the apex
 
 TEST_CASE(
     "six detectors at one place each count a ray once, more than can be kept apart is an error, not a loop") {
-    for (std::size_t count : {2, 6, 7, 12}) {
+    for (std::size_t count : {2, 6, 7, 8, 9, 12, 17, 40}) {
         Lab lab;
         for (std::size_t i = 0; i < count; ++i)
             lab.detector("d" + std::to_string(i), facing({0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}), {1.0, 1.0},
@@ -191,6 +191,30 @@ TEST_CASE(
                 CHECK(traced.result.hits[i].detector.value == i);
             CHECK(traced.ended(Event::escaped) == 1);
         } else {
+            CHECK(traced.ended(Event::invalid) == 1);
+            CHECK(traced.watts(traced.result.tally.error) == 1.0);
+        }
+    }
+}
+
+TEST_CASE(
+    "of bodies that begin at one place the one that counts is met, or the ray is invalid, never another") {
+    for (std::size_t count : {2, 8, 9, 15, 17, 40}) {
+        Lab lab;
+        for (std::size_t i = 0; i < count; ++i) // the last has the highest priority
+            lab.body("b" + std::to_string(i), Box{{1.0, 1.0, 1.0}}, lab.medium(1.1 + 0.05 * double(i)),
+                     moved({0.0, 0.0, 0.5}), static_cast<int>(i));
+        lab.rays({{{0.1, 0.2, -1.0}, {0.0, 0.0, 1.0}}});
+        Traced const traced = trace(lab);
+        CAPTURE(count);
+        REQUIRE(traced.segments().size() > 0);
+        if (count <= 8) {
+            CHECK(traced.ended(Event::invalid) == 0);
+            CHECK(traced.segments()[0].ended == Event::refracted);
+            CHECK(traced.segments()[1].optical_path - 1.0 ==
+                  Approx(1.1 + 0.05 * double(count - 1)).epsilon(1e-12));
+        } else {
+            CHECK(traced.segments().size() == 1);
             CHECK(traced.ended(Event::invalid) == 1);
             CHECK(traced.watts(traced.result.tally.error) == 1.0);
         }
