@@ -30,7 +30,7 @@ void add_check(CLI::App& app, int& status) {
         ->allow_extra_args(false);
     command->add_flag("--json", arguments->json, "As JSON on standard output");
     command->callback([arguments, &status] {
-        Value const report = is_model_file(arguments->file)
+        Value const report = is_model_file(arguments->file) || is_foreign_model_file(arguments->file)
                                  ? check_model(arguments->file)
                                  : check_experiment(load_experiment(arguments->file, arguments->set));
         std::cout << (arguments->json ? to_json(report) + "\n" : check_text(report));

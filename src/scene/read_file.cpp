@@ -2,6 +2,7 @@
 #include "scene/read_file.h"
 
 #include "math/input_error.h"
+#include "math/nearest_name.h"
 #include "scene/read_table.h"
 
 #include <algorithm>
@@ -21,9 +22,13 @@ std::filesystem::path existing_file(std::filesystem::path const& folder, std::st
          !error && it != end && beside.size() < 1000; it.increment(error))
         beside.push_back(it->path().filename().string());
     std::sort(beside.begin(), beside.end());
+    std::string const wanted = path.filename().string(), nearest = nearest_name(wanted, beside);
+    bool const near = !nearest.empty() && 2 * edit_distance(wanted, nearest) <= wanted.size();
     throw InputError(place.text(), "there is no file " + path.string(),
-                     beside.empty() ? "paths are relative to the experiment's file"
-                                    : did_you_mean(path.filename().string(), beside));
+                     near
+                         ? did_you_mean(wanted, beside)
+                         : "correct the path, which is relative to the experiment's file, or bring the file: "
+                           "the experiment's page may say from where");
 }
 
 std::string file_text(std::filesystem::path const& path) {

@@ -6,7 +6,9 @@
 #include "scene/read_obj.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 namespace sahl {
 
@@ -24,6 +26,13 @@ std::string lower_ending(std::filesystem::path const& path) {
 bool is_model_file(std::filesystem::path const& path) {
     std::string const ending = lower_ending(path);
     return ending == ".gltf" || ending == ".glb" || ending == ".obj";
+}
+
+bool is_foreign_model_file(std::filesystem::path const& path) {
+    constexpr std::array<std::string_view, 16> endings{".stl", ".ply",  ".fbx", ".dae",  ".3ds", ".3mf",
+                                                       ".off", ".x3d",  ".stp", ".step", ".igs", ".iges",
+                                                       ".usd", ".usdz", ".abc", ".blend"};
+    return std::find(endings.begin(), endings.end(), lower_ending(path)) != endings.end();
 }
 
 Model read_model(std::filesystem::path const& path) {

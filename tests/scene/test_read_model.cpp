@@ -59,7 +59,13 @@ TEST_CASE("a model is told by its ending, in capitals or not") {
         CHECK(is_model_file(name));
     for (char const* name : {"a.toml", "obj", "a.obj.toml", "a", ".obj", "a.mtl"})
         CHECK_FALSE(is_model_file(name));
-    CHECK_FALSE(error_of([] { read_model("a.stl"); }).empty());
+    for (char const* name : {"a.stl", "a.PLY", "b/a.blend"}) {
+        CHECK_FALSE(is_model_file(name));
+        CHECK(is_foreign_model_file(name));
+    }
+    for (char const* name : {"a.toml", "a.json", "a", "a.glb"})
+        CHECK_FALSE(is_foreign_model_file(name));
+    CHECK(error_of([] { read_model("a.stl"); }).find("give a .gltf, .glb or .obj file") != std::string::npos);
 }
 
 TEST_CASE("OBJ bodies in an experiment have the length unit and the file's glasses") {
