@@ -1,6 +1,8 @@
 // In: triangles that may lie any way round and meet any how. Out: their topology, by a sorted list of edges.
 #include "geometry/mesh_topology.h"
 
+#include "math/joined_sets.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -35,26 +37,6 @@ struct Neighbour {
     std::uint32_t triangle = none;
     bool opposed = false;
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
-};
-
-/// Sets with a representative each, joined pair by pair.
-struct Sets {
-    std::vector<std::uint32_t> parent;
-
-    explicit Sets(std::size_t size) : parent(size) {
-        for (std::uint32_t i = 0; i < size; ++i)
-            parent[i] = i;
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent[i] != i)
-            i = parent[i] = parent[parent[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
 };
 
 using Neighbours = std::vector<std::array<Neighbour, 3>>; // of each triangle, in no order
@@ -102,7 +84,7 @@ Topology topology_by_edges(std::span<Corners const> triangles) {
     Topology topology;
     std::vector<Side> const sides = sorted_sides(triangles);
     Neighbours neighbours(triangles.size());
-    Sets sets(triangles.size());
+    JoinedSets sets(triangles.size());
     std::vector<std::uint32_t> at_boundary;
     for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
         for (end = begin; end < sides.size() && sides[end].edge == sides[begin].edge; ++end)

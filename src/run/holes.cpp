@@ -42,6 +42,22 @@ void count_leak(std::vector<Hole>& holes, LostRay const& ray) {
       })->leaks;
 }
 
+std::vector<std::string> unclosed_warnings(Scene const& scene) {
+    std::vector<std::string> warnings;
+    for (Body const& body : scene.bodies) {
+        if (!body.mesh || body.open || body.mesh->closed())
+            continue;
+        char text[200];
+        std::snprintf(text, sizeof text,
+                      ": it is not closed (%llu border edges, %llu edges of more than two triangles): rays "
+                      "that find a hole are counted as leaks; sahl check says where",
+                      static_cast<unsigned long long>(body.mesh->boundary_edges),
+                      static_cast<unsigned long long>(body.mesh->non_manifold_edges));
+        warnings.push_back(body.name + text);
+    }
+    return warnings;
+}
+
 std::vector<std::string> hole_warnings(Scene const& scene, std::vector<Hole> const& holes) {
     std::vector<std::string> warnings;
     for (Hole const& hole : holes) {

@@ -26,6 +26,9 @@ std::vector<Hole> holes_of(Scene const& scene);
 /// of its last piece, to either side: it shows either where the ray came in or where it was to go out.
 void count_leak(std::vector<Hole>& holes, LostRay const& ray);
 
+/// One for each mesh that is traced as a body and is not closed, before any ray is.
+std::vector<std::string> unclosed_warnings(Scene const& scene);
+
 /// "torn: 12 rays leaked at the hole of 3 edges round (…) mm", for each that any ray found.
 std::vector<std::string> hole_warnings(Scene const& scene, std::vector<Hole> const& holes);
 

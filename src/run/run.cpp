@@ -8,6 +8,7 @@
 #include "run/sha256.h"
 #include "run/summary.h"
 #include "run/sweep_table.h"
+#include "scene/read_model.h"
 
 #include <cstdio>
 #include <fstream>
@@ -86,6 +87,8 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
     RunFacts const facts{program_name(), sha256(source.text), source.set};
 
+    for (std::string& warning : unclosed_warnings(run.scene))
+        run.scene.warnings.push_back(std::move(warning));
     if (experiment.trace.polarised == Polarised::automatic)
         for (std::string& warning : polarisation_warnings(run.scene, optics, emission, experiment.trace))
             run.scene.warnings.push_back(std::move(warning));
@@ -177,6 +180,9 @@ std::string program_name() {
 }
 
 ExperimentSource load_experiment(fs::path const& file, std::vector<std::string> const& set) {
+    if (is_model_file(file))
+        throw InputError(file.string(), "this is a model, and no experiment",
+                         "name it in one, as model = \"…\" of an [[object]]; sahl check says what is in it");
     ExperimentSource source;
     source.file = file;
     source.tree = read_experiment_file(file, source.text);

@@ -25,6 +25,14 @@ struct ModelVolume {
     std::array<double, 3> attenuation_color{1.0, 1.0, 1.0};                // [0, 1], linear RGB
 };
 
+/// A picture that a material's colour is taken from. Its file is neither opened nor checked: whoever opens it
+/// must see that it lies in the model's folder.
+struct ModelTexture {
+    std::filesystem::path file;         // empty: the picture lies within the glTF file
+    std::optional<std::uint32_t> image; // index into a glTF file's images
+    std::uint32_t coordinates = 0;      // which of a glTF file's sets of texture coordinates
+};
+
 enum class AlphaMode { opaque, mask, blend };
 
 struct ModelMaterial {
@@ -38,6 +46,8 @@ struct ModelMaterial {
     double specular = 1.0;                                // [0, 1], of the reflection where ior is 0
     std::array<double, 3> specular_color{1.0, 1.0, 1.0};  // ≥ 0, the same
     std::optional<ModelVolume> volume;                    // absent: no KHR_materials_volume
+    bool may_be_body = false; // without volume: the format has no word for it, and a closed mesh is a body
+    std::optional<ModelTexture> color_texture; // for pictures; tracing takes base_color for all of it
     AlphaMode alpha_mode = AlphaMode::opaque;
     double alpha_cutoff = 0.5; // with mask: what covers less is not there
     bool double_sided = false;
@@ -50,6 +60,8 @@ struct ModelMesh {
     std::string name;
     TriangleSoup soup;                                       // in the mesh's own frame, metres
     std::vector<std::optional<std::uint32_t>> face_material; // by face; index into Model::materials
+    // by triangle of `soup`; from the left and from the bottom, 0 to 1 once over the picture. Empty: none
+    std::vector<std::array<dvec2, 3>> texture_coordinates{};
 };
 
 /// What the file's tree says of an instance beside its place.

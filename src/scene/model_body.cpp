@@ -3,7 +3,6 @@
 #include "math/input_error.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace sahl {
 
@@ -111,32 +110,24 @@ void give_cavities_to_bodies(std::vector<Component>& components, Mesh const& mes
     }
 }
 
-void report(std::string const& name, Mesh const& mesh, ModelPart const& part,
-            std::vector<FaceRule> const& rules, std::vector<Component> const& components,
-            MaterialBook& materials) {
+void report(std::string const& name, ModelPart const& part, std::vector<FaceRule> const& rules,
+            std::vector<Component> const& components, MaterialBook& materials) {
     for (Component const& component : components)
         for (std::size_t const face : component.faces) {
             ModelMaterial const* const glass = rules[face].material;
             if (!glass || !is_glass(*glass) || component.open != part.open)
                 continue;
             if (part.open)
-                materials.warn("mesh " + name + ": it is open and without volume, and material " +
-                               glass->name + " is traced as a thin wall");
-            else if (!has_volume(*glass))
+                materials.warn(
+                    "mesh " + name + ": it is open" +
+                    (glass->may_be_body ? ", and the glass " : " and without volume, and material ") +
+                    glass->name + " is traced as a thin wall" +
+                    (glass->may_be_body ? "; if it is a body, close it, or give it a medium" : ""));
+            else if (!has_volume(*glass) && !glass->may_be_body)
                 materials.warn("mesh " + name + ": material " + glass->name +
                                " has no volume, which in glTF means a thin wall; the mesh is closed, and is "
                                "taken as a body of it");
         }
-    bool const holes = !part.open && std::any_of(part.mesh->shells.begin(), part.mesh->shells.end(),
-                                                 [](MeshShell const& shell) { return shell.open; });
-    if (holes || (!part.open && mesh.non_manifold_edges > 0)) {
-        std::ostringstream text;
-        text << "mesh " << name << ": it is not closed (" << (holes ? mesh.boundary_edges : 0)
-             << " border edges, " << mesh.non_manifold_edges
-             << " edges of more than two triangles): rays that find a hole are counted as leaks; close it in "
-                "the program that made it";
-        materials.warn(text.str());
-    }
 }
 
 } // namespace
@@ -193,7 +184,7 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
                                     : part.open ? std::optional(materials.sheet(*from_file))
                                                 : materials.boundary(*from_file));
         }
-        report(source.name, *mesh, part, rules, components, materials);
+        report(source.name, part, rules, components, materials);
     }
     return parts;
 }

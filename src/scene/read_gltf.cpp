@@ -13,7 +13,7 @@ Model read_gltf(std::filesystem::path const& path) {
     Value const tree = checked_gltf_tree(file, model.warnings);
     tinygltf::Model const parsed = load_gltf(file, tree);
 
-    model.materials = gltf_materials(tree);
+    model.materials = gltf_materials(tree, path.parent_path());
     model.meshes = gltf_meshes(parsed, model.materials, file.name(), model.warnings);
     GltfScene scene = gltf_scene(parsed, tree, model.warnings);
     model.instances = std::move(scene.instances);

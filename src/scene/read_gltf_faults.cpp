@@ -54,8 +54,8 @@ void check_collections(Value const& tree, Faults& faults) {
     for (auto const& [key, what] :
          {std::pair{"animations", "animations are left out: nodes stand where they are at rest"},
           std::pair{"skins", "skins are left out: meshes have their rest shape"},
-          std::pair{"images", "images are not read: a material's factors are taken for all of it"},
-          std::pair{"textures", "textures are not read: a material's factors are taken for all of it"}})
+          std::pair{"images", "images are not opened: a material's factors are taken for all of it"},
+          std::pair{"textures", "textures are not used: a material's factors are taken for all of it"}})
         if (!entries(tree, key).empty())
             faults.add(tree.find(key)->place, what);
 }

@@ -42,8 +42,10 @@ struct MeshReader {
     tinygltf::Model const& model;
     AccessorBudget& budget;
     std::vector<std::string>& warnings;
+    ModelMesh& mesh;
     TriangleSoup& soup;
     bool any_normals;
+    AccessorBudget texture_budget{std::uint64_t{1} << 26};
     std::map<std::pair<int, int>, std::uint32_t>
         first_vertex{}; // of the vertices with these positions and normals
 
@@ -51,7 +53,10 @@ struct MeshReader {
                               std::size_t& count);
     std::vector<std::uint32_t> corners_of(tinygltf::Primitive const& primitive, std::string const& place,
                                           std::size_t vertices);
-    void add_triangles(tinygltf::Primitive const& primitive, std::uint32_t face, std::string const& place);
+    void add_triangles(tinygltf::Primitive const& primitive, std::uint32_t face, std::string const& place,
+                       std::optional<ModelTexture> const& texture);
+    void keep_textures(tinygltf::Primitive const& primitive, std::uint32_t set, std::uint32_t first,
+                       std::size_t first_triangle);
     void make_flat_normals(std::size_t first_triangle);
     void mend_zero_normals(std::size_t first_triangle, std::string const& place);
 };
@@ -122,7 +127,7 @@ std::vector<std::uint32_t> MeshReader::corners_of(tinygltf::Primitive const& pri
 
 /// Lists, strips and fans (glTF 2.0, section 3.7.2.1); others have no area.
 void MeshReader::add_triangles(tinygltf::Primitive const& primitive, std::uint32_t face,
-                               std::string const& place) {
+                               std::string const& place, std::optional<ModelTexture> const& texture) {
     std::size_t vertices = 0;
     std::uint32_t const first = vertices_of(primitive, place, vertices);
     std::vector<std::uint32_t> const corners = corners_of(primitive, place, vertices);
@@ -142,10 +147,32 @@ void MeshReader::add_triangles(tinygltf::Primitive const& primitive, std::uint32
     for (std::size_t i = 0; i + 2 < corners.size() && primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN; ++i)
         add(i + 1, i + 2, 0);
     soup.triangle_face.resize(soup.triangles.size(), face);
+    if (texture)
+        keep_textures(primitive, texture->coordinates, first, first_triangle);
     if (any_normals && attribute(primitive, "NORMAL") < 0)
         make_flat_normals(first_triangle);
     else if (any_normals)
         mend_zero_normals(first_triangle, place);
+}
+
+/// Coordinates that cannot be read change no light: warn_of_accessors tells of them, and none are kept.
+void MeshReader::keep_textures(tinygltf::Primitive const& primitive, std::uint32_t set, std::uint32_t first,
+                               std::size_t first_triangle) {
+    std::string const name = "TEXCOORD_" + std::to_string(set);
+    std::vector<double> numbers;
+    try {
+        if (int const accessor = attribute(primitive, name.c_str()); accessor >= 0)
+            numbers = accessor_numbers(model, accessor, 2, name, texture_budget);
+    } catch (InputError const&) {
+        return;
+    }
+    if (numbers.empty())
+        return;
+    mesh.texture_coordinates.resize(soup.triangles.size());
+    for (std::size_t t = first_triangle; t < soup.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (std::size_t const i = 2 * (soup.triangles[t][k] - first); i + 1 < numbers.size())
+                mesh.texture_coordinates[t][k] = {numbers[i], 1.0 - numbers[i + 1]}; // v runs downwards
 }
 
 /// Without normals a primitive is flat (glTF 2.0, section 3.7.2.1): each corner gets a vertex of its own.
@@ -207,7 +234,7 @@ std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<Mod
         bool any_normals = false;
         for (tinygltf::Primitive const& primitive : source.primitives)
             any_normals = any_normals || (has_area(primitive) && attribute(primitive, "NORMAL") >= 0);
-        MeshReader reader{model, budget, warnings, mesh.soup, any_normals};
+        MeshReader reader{model, budget, warnings, mesh, mesh.soup, any_normals};
         for (std::size_t i = 0; i < source.primitives.size(); ++i) {
             tinygltf::Primitive const& primitive = source.primitives[i];
             std::string const here = place + "/primitives/" + std::to_string(i);
@@ -232,11 +259,14 @@ std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<Mod
             std::uint32_t const face = static_cast<std::uint32_t>(mesh.face_material.size());
             mesh.face_material.push_back(material);
             mesh.soup.face_names.push_back(material ? materials[*material].name : "surface");
-            reader.add_triangles(primitive, face, here);
+            reader.add_triangles(primitive, face, here,
+                                 material ? materials[*material].color_texture : std::nullopt);
             if (!primitive.targets.empty())
                 warnings.push_back(here +
                                    "/targets: morph targets are left out: the mesh has its rest shape");
         }
+        if (!mesh.texture_coordinates.empty())
+            mesh.texture_coordinates.resize(mesh.soup.triangles.size());
         if (mesh.soup.face_names.empty()) {
             mesh.soup.face_names.push_back("surface");
             mesh.face_material.push_back(std::nullopt);

@@ -87,7 +87,8 @@ struct AccessorBudget {
 std::vector<double> accessor_numbers(tinygltf::Model const& model, int accessor, int components,
                                      std::string const& place, AccessorBudget& budget);
 
-std::vector<ModelMaterial> gltf_materials(Value const& tree);
+/// folder   of the file, where its pictures lie
+std::vector<ModelMaterial> gltf_materials(Value const& tree, std::filesystem::path const& folder);
 std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<ModelMaterial> const& materials,
                                    std::string const& file, std::vector<std::string>& warnings);
 

@@ -51,7 +51,7 @@ void make_glass(ModelMaterial& material, MtlMaterial const& source, double seen_
         warnings.push_back(source.place + ": material '" + source.name + "': " + what);
     };
     material.transmission = 1.0;
-    material.volume = ModelVolume{1.0};
+    material.may_be_body = true;
     material.ior = source.ni.value_or(1.5);
     for (std::size_t i = 0; source.tf && i < 3; ++i)
         material.base_color[i] = std::min((*source.tf)[i], 1.0);
@@ -80,6 +80,8 @@ ModelMaterial understood(MtlMaterial const& source, Warnings& warnings, Warnings
     ModelMaterial material;
     material.name = source.name;
     material.metallic = material.roughness = 0.0;
+    if (!source.map_kd.empty())
+        material.color_texture = ModelTexture{source.map_kd, {}, 0};
     std::vector<std::string_view> decisive{"illum", "d", "Tr", "Pm"};
     double const seen_through = transparency(source, warnings);
     bool const metal = source.pm.value_or(0.0) >= 0.5;

@@ -4,10 +4,10 @@
 
 #include "geometry/mesh_weld.h"
 #include "geometry/polygon.h"
+#include "math/joined_sets.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <span>
 
@@ -15,28 +15,11 @@ namespace sahl {
 
 namespace {
 
-/// Sets of parts, joined pair by pair; the lowest number of a set represents it.
-struct Parts {
-    std::vector<std::uint32_t> parent;
-
-    explicit Parts(std::size_t size) : parent(size) { std::iota(parent.begin(), parent.end(), 0u); }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent[i] != i)
-            i = parent[i] = parent[parent[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-};
-
 /// The mesh that each run belongs to: its object's (its group's in a file without objects), or the first of
 /// those that share vertices. Numbers are of runs.
 std::vector<std::uint32_t> meshes_of_runs(ObjText const& text) {
     std::size_t const runs = text.runs.size();
-    Parts parts(runs);
+    JoinedSets parts(runs);
     std::map<std::uint32_t, std::uint32_t> first_run;
     for (std::uint32_t r = 0; r < runs; ++r) {
         std::uint32_t const key = text.objects.empty() ? text.runs[r].group : text.runs[r].object;
@@ -75,6 +58,7 @@ struct MeshMaker {
     void add_run(std::uint32_t run);
     void name_faces();
     void make_vertices();
+    void keep_textures();
     void make_normals(std::vector<std::uint32_t> const& corner_of_vertex);
 };
 
@@ -155,6 +139,18 @@ void MeshMaker::make_vertices() {
         make_normals(first);
 }
 
+/// Texture coordinates stay with the corners: they would part vertices that are one place of one surface.
+void MeshMaker::keep_textures() {
+    auto const of = [&](std::uint32_t corner) {
+        std::uint32_t const t =
+            corner < text.corner_textures.size() ? text.corner_textures[corner] : obj_none;
+        return t < text.texture_coordinates.size() ? text.texture_coordinates[t] : dvec2(0.0);
+    };
+    if (!text.corner_textures.empty() && !text.texture_coordinates.empty())
+        for (auto const& [a, b, c] : triangles)
+            mesh.texture_coordinates.push_back({of(a), of(b), of(c)});
+}
+
 void MeshMaker::make_normals(std::vector<std::uint32_t> const& corner_of_vertex) {
     TriangleSoup& soup = mesh.soup;
     auto const unit_or_zero = [](dvec3 const& v) {
@@ -216,6 +212,7 @@ void add_obj_meshes(Model& model, ObjText const& text, std::string const& file) 
         for (std::uint32_t const r : runs)
             maker.add_run(r);
         maker.name_faces();
+        maker.keep_textures();
         maker.make_vertices();
         tangled += maker.tangled;
         without_length += maker.without_length;

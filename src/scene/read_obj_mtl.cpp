@@ -63,6 +63,7 @@ class MtlReader {
     std::optional<double> number(MtlMaterial& material, std::string_view key, std::string_view word,
                                  double low, double high);
     std::optional<std::array<double, 3>> colour(MtlMaterial& material, std::string_view key);
+    std::string texture_file();
     void fault(MtlMaterial& material, std::string_view key, std::string_view word, std::string const& remedy);
     static void leave_out(MtlMaterial& material, std::string const& what) {
         if (std::find(material.left_out.begin(), material.left_out.end(), what) == material.left_out.end())
@@ -136,6 +137,28 @@ std::optional<std::array<double, 3>> MtlReader::colour(MtlMaterial& material, st
     return values;
 }
 
+/// The file's name, which may have blanks, behind options: each a word with a minus and its values.
+std::string MtlReader::texture_file() {
+    std::string_view name = in_.rest();
+    while (name.starts_with('-')) {
+        ObjLines words(name, file_);
+        words.next_line();
+        std::string_view const option = words.word();
+        bool const vector = option == "-o" || option == "-s" || option == "-t"; // of one to three numbers
+        for (int values = option == "-mm" ? 2 : vector ? 3 : 1; values > 0; --values) {
+            ObjLines ahead = words;
+            double number = 0.0;
+            if (vector && !read_number(ahead.word(), number))
+                break;
+            words.word();
+        }
+        name = words.rest();
+    }
+    std::string file(name);
+    std::replace(file.begin(), file.end(), '\\', '/');
+    return file;
+}
+
 void MtlReader::statement(MtlMaterial& material, std::string_view key) {
     constexpr double any = std::numeric_limits<double>::max();
     auto const is_one_of = [&](auto const& list) {
@@ -167,7 +190,9 @@ void MtlReader::statement(MtlMaterial& material, std::string_view key) {
         material.tf = colour(material, key);
     } else if (key == "map_Kd" || key == "map_Ks" || key == "map_d") {
         leave_out(material,
-                  "its texture " + std::string(key) + " is not read; the number is taken for all of it");
+                  "its texture " + std::string(key) + " is not used; the number is taken for all of it");
+        if (std::string const file = texture_file(); key == "map_Kd" && !file.empty())
+            material.map_kd = fs::path(file_).parent_path() / file;
     } else if (is_one_of(bumps)) {
         leave_out(material, "its " + std::string(key) + " is left out: surfaces are as smooth as the mesh");
     } else if (key == "Pr") {

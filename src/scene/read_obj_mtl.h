@@ -24,6 +24,7 @@ struct MtlMaterial {
     std::optional<int> illum;                        // [0, 10]
     std::optional<std::array<double, 3>> kd, ks, tf; // ≥ 0
     std::string ni_text, ni_place;
+    std::filesystem::path map_kd;      // beside the MTL file; empty: none
     std::vector<std::string> left_out; // a sentence each
     std::vector<MtlFault> faults;
 };

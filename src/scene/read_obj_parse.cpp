@@ -20,8 +20,8 @@ constexpr std::size_t most_libraries = 1000;
 constexpr std::size_t most_names = std::size_t{1} << 16; // of objects, of groups, of materials
 
 // Statements that change no polygon (1995's "Object Files", version 3.0).
-constexpr std::array<std::string_view, 11> harmless{
-    "vt", "s", "vp", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib"};
+constexpr std::array<std::string_view, 10> harmless{
+    "s", "vp", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib"};
 constexpr std::array<std::string_view, 19> left_out{"p",    "l",    "curv", "curv2", "surf",  "cstype", "deg",
                                                     "bmat", "step", "parm", "trim",  "hole",  "scrv",   "sp",
                                                     "end",  "con",  "call", "csh",   "usemap"};
@@ -64,6 +64,8 @@ class Parser {
     void statement(std::string_view key);
     dvec3 vector(char const* what);
     void face();
+    dvec2 texture_coordinate();
+    void keep_texture(std::int64_t index);
     std::uint32_t resolved(std::int64_t index, std::size_t count, char const* what, Ahead& ahead) const;
     void library();
     void name(NameList& list, std::uint32_t& current, char const* what);
@@ -131,6 +133,27 @@ bool read_index(char const*& at, char const* end, std::int64_t& index) {
     return true;
 }
 
+/// Of one to three numbers; what cannot be read is 0, since it changes no light.
+dvec2 Parser::texture_coordinate() {
+    dvec2 uv(0.0);
+    for (int i = 0; i < 2; ++i)
+        if (double number = 0.0; read_number(in_.word(), number))
+            uv[i] = number;
+    return uv;
+}
+
+/// Of the last corner; 0: it has none. One that is not there is none, since it changes no light.
+void Parser::keep_texture(std::int64_t index) {
+    std::int64_t const known = static_cast<std::int64_t>(text_.texture_coordinates.size());
+    if (index == 0 && text_.corner_textures.empty())
+        return;
+    text_.corner_textures.resize(text_.corners.size() - 1, obj_none);
+    if (index < 0)
+        index += known + 1;
+    bool const there = index > 0 && index < std::int64_t{obj_none};
+    text_.corner_textures.push_back(there ? static_cast<std::uint32_t>(index - 1) : obj_none);
+}
+
 /// Corners as v, v/vt, v//vn or v/vt/vn.
 void Parser::face() {
     std::size_t const first = text_.corners.size();
@@ -150,6 +173,7 @@ void Parser::face() {
             throw InputError(in_.place(), shown(word) + " is no corner of a face",
                              "write it as 1, 1/2, 1//3 or 1/2/3, or export the file again");
         text_.corners.push_back(resolved(position, text_.positions.size(), "vertex", position_ahead_));
+        keep_texture(texture);
         if (has_normal && text_.corner_normals.empty())
             text_.corner_normals.assign(text_.corners.size() - 1, obj_none);
         if (has_normal)
@@ -160,6 +184,8 @@ void Parser::face() {
     std::size_t const size = text_.corners.size() - first;
     if (size < 3) {
         text_.corners.resize(first);
+        if (!text_.corner_textures.empty())
+            text_.corner_textures.resize(first);
         if (!text_.corner_normals.empty())
             text_.corner_normals.resize(first);
         if (small_faces_.count++ == 0)
@@ -205,6 +231,8 @@ void Parser::statement(std::string_view key) {
                              "correct it, or scale the model");
     } else if (key == "f" || key == "fo") {
         face();
+    } else if (key == "vt") {
+        text_.texture_coordinates.push_back(texture_coordinate());
     } else if (key == "vn") {
         text_.normals.push_back(vector("a normal"));
     } else if (key == "usemtl") {

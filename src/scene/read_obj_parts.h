@@ -25,7 +25,9 @@ struct ObjText {
     std::vector<dvec3> positions, normals;
     std::vector<std::uint32_t> corners;        // of all polygons in a row; into positions
     std::vector<std::uint32_t> corner_normals; // the same, or obj_none; empty: no polygon has normals
-    std::vector<std::uint32_t> polygons;       // where each begins in corners, and where the last ends
+    std::vector<dvec2> texture_coordinates;
+    std::vector<std::uint32_t> corner_textures; // into these, or obj_none; empty: no polygon has any
+    std::vector<std::uint32_t> polygons;        // where each begins in corners, and where the last ends
     std::vector<ObjRun> runs;
     std::vector<std::string> objects, groups, materials; // names, as the lines give them
     struct Library {

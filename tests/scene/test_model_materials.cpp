@@ -1,6 +1,7 @@
 // What a model file's materials become: bodies, thin walls, mirrors and paint; and what the experiment maps
 // them to.
 #include "math/input_error.h"
+#include "run/holes.h"
 #include "scene/model_parts.h"
 #include "scene/read_gltf.h"
 #include "support/catch.h"
@@ -105,6 +106,55 @@ TEST_CASE("a closed mesh of glass without volume is a body, an open one a thin w
     Traced const traced = open.traced();
     CHECK(std::abs(escaped(traced, 1.0) - 2.0 * 0.04 / 1.04) < 1e-15);
     CHECK(std::abs(escaped(traced, -1.0) - 0.96 / 1.04) < 1e-15);
+}
+
+TEST_CASE("glass of an MTL file is a thin wall where the mesh is open, and a body where it is closed",
+          "[scene]") {
+    Thing thing("");
+    thing.folder.write("a.mtl", "newmtl Glass\nillum 7\nNi 1.5\n");
+    std::string const corners = "mtllib a.mtl\nusemtl Glass\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv 0 0 1\n";
+    thing.reference().path = thing.folder.write("wall.obj", corners + "f 1 2 3\n");
+    Scene const wall = thing.scene();
+    REQUIRE(wall.bodies.size() == 1);
+    CHECK(wall.bodies[0].open);
+    CHECK(std::holds_alternative<ThinWall>(wall.surfaces[wall.faces[0].surface->value].kind));
+    CHECK(warns(wall, "it is open, and the glass Glass is traced as a thin wall"));
+    thing.reference().path = thing.folder.write("body.obj", corners + "f 3 2 1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    Scene const body = thing.scene();
+    REQUIRE(body.bodies.size() == 1);
+    CHECK_FALSE(body.bodies[0].open);
+    CHECK(body.media[body.bodies[0].medium.value].name == "thing:Glass");
+    CHECK(body.warnings.empty());
+}
+
+TEST_CASE("the picture of a glTF material's colour is kept, with its coordinates at each corner", "[scene]") {
+    std::string text =
+        gltf_text({square(0.0)}, R"([{"name": "Floor", "pbrMetallicRoughness": {
+        "baseColorTexture": {"index": 0, "texCoord": 1}}}])",
+                  "", R"(, "textures": [{"source": 1}], "images": [{"uri": "a.png"}, {"uri": "b.png"}])");
+    auto const put = [&](std::string const& behind, std::string const& what) {
+        std::size_t const at = text.find(behind);
+        REQUIRE(at != std::string::npos);
+        text.insert(at + behind.size(), what);
+    };
+    put(R"("POSITION": 0)", R"(, "TEXCOORD_1": 2)");
+    put(R"("type": "SCALAR", "count": 6})", // the numbers of the positions, two by two
+        R"(, {"bufferView": 0, "componentType": 5126, "type": "VEC2", "count": 4})");
+    TemporaryFolder const folder("texture");
+    Model const model = read_gltf(folder.write("a.gltf", text));
+    auto const& texture = model.materials.at(0).color_texture;
+    REQUIRE(texture);
+    CHECK(texture->file == folder.path / "b.png");
+    CHECK(texture->image == 1u);
+    CHECK(texture->coordinates == 1);
+    auto const& corners = model.meshes.at(0).texture_coordinates;
+    REQUIRE(corners.size() == 2); // v runs downwards in glTF
+    CHECK(corners[0] == std::array<dvec2, 3>{dvec2(-1.0, 2.0), dvec2(0.0, 0.0), dvec2(-1.0, 1.0)});
+    CHECK(corners[1] == std::array<dvec2, 3>{dvec2(-1.0, 2.0), dvec2(-1.0, 1.0), dvec2(1.0, 0.0)});
+    text.replace(text.find(R"("type": "VEC2", "count": 4)"), 26, R"("type": "VEC2", "count": 9)");
+    Model const short_of_data = read_gltf(folder.write("a.gltf", text));
+    CHECK(short_of_data.meshes.at(0).texture_coordinates.empty());
+    CHECK_FALSE(short_of_data.warnings.empty());
 }
 
 TEST_CASE("open and closed pieces of one mesh become a body and a surface", "[scene]") {
@@ -242,12 +292,14 @@ TEST_CASE("a mapping gives a material a medium, a surface or both, before what t
     CHECK(complaint([&] { thing.scene(); }).find("did you mean 'Glass'") != std::string::npos);
 }
 
-TEST_CASE("an experiment's own medium makes an open mesh a body with holes, and says so", "[scene]") {
+TEST_CASE("an experiment's own medium makes an open mesh a body with holes, and it is told", "[scene]") {
     Thing thing(gltf_text({square(0.0)}, clear_glass, "", uses));
     thing.object.medium = thing.lab.medium(1.5);
     Scene const scene = thing.scene();
     CHECK_FALSE(scene.bodies[0].open);
-    CHECK(warns(scene, "4 border edges"));
+    std::vector<std::string> const told = unclosed_warnings(scene);
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].find("4 border edges") != std::string::npos);
 }
 
 TEST_CASE("patterns of parts match names with any characters for a star and one for a question mark",

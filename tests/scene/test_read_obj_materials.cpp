@@ -62,7 +62,7 @@ TEST_CASE("an MTL material is glass, mirror or paint by its illumination model")
     CHECK(kind("Pm 1\nillum 2") == "mirror");
 }
 
-TEST_CASE("glass of an MTL file has the index Ni and the colour Tf, and is a body") {
+TEST_CASE("glass of an MTL file has the index Ni and the colour Tf, and is a body where it is closed") {
     Model const model = with_material("Kd 0.1 0.2 0.3\nNi 1.5168\nd 0.1\nTf 0.9 0.95 1\nillum 7");
     ModelMaterial const& glass = model.materials.at(0);
     CHECK(glass.ior == 1.5168);
@@ -70,8 +70,8 @@ TEST_CASE("glass of an MTL file has the index Ni and the colour Tf, and is a bod
     CHECK(glass.metallic == 0.0);
     CHECK(glass.roughness == 0.0);
     CHECK(glass.base_color == std::array<double, 4>{0.9, 0.95, 1.0, 1.0});
-    REQUIRE(glass.volume);
-    CHECK(glass.volume->thickness_factor > 0.0);
+    CHECK(glass.may_be_body);
+    CHECK_FALSE(glass.volume); // open, it is a thin wall
     CHECK(model.warnings.empty());
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("numbers of MTL files that change nothing are warned of") {
 TEST_CASE("what else MTL files say is named") {
     CHECK(warns(with_material("d 0.4\nTr 0.1"), "contradict each other"));
     CHECK(warns(with_material("d 0.9\nNi 1.5"), "more opaque than not"));
-    CHECK(warns(with_material("map_Kd floor.png"), "texture map_Kd is not read"));
+    CHECK(warns(with_material("map_Kd floor.png"), "texture map_Kd is not used"));
     CHECK(warns(with_material("norm bumps.png"), "surfaces are as smooth as the mesh"));
     CHECK(warns(with_material("Pr 0.5"), "roughness"));
     CHECK(warns(with_material("cauchy_B 0.0042"), "a.mtl:2: 'cauchy_B' is no key of MTL"));
@@ -144,6 +144,36 @@ TEST_CASE("what else MTL files say is named") {
     CHECK_FALSE(warns(with_material("Ni 1\nillum 2"), "opaque by illum"));
     CHECK(with_material("map_Kd a.png\nmap_Kd b.png\nKd x\nKd y").warnings.size() == 2); // once each
     CHECK(with_material("Ka 1 1 1\nKs 1 1 1\nKe 0 0 0\nNs 96\nsharpness 60").warnings.empty());
+}
+
+TEST_CASE("the picture of a colour is kept by its path, whatever options stand before it") {
+    for (char const* line : {"map_Kd my floor.png", "map_Kd -clamp on my floor.png",
+                             "map_Kd -s 2 2 -o 0.5 0 0 -mm 0 1 my floor.png"}) {
+        INFO(line);
+        auto const texture = with_material(line).materials.at(0).color_texture;
+        REQUIRE(texture);
+        CHECK(texture->file.filename() == "my floor.png");
+        CHECK_FALSE(texture->image);
+    }
+    for (char const* line : {"map_Kd", "map_Kd -s", "map_Kd -", "map_Ks a.png", "Kd 1 1 1"})
+        CHECK_FALSE(with_material(line).materials.at(0).color_texture);
+}
+
+TEST_CASE("texture coordinates stay with the corners, and part no vertices") {
+    TemporaryFolder const folder;
+    auto const read = [&](std::string const& text) {
+        folder.write("a.obj", text);
+        return read_obj(folder.path / "a.obj");
+    };
+    Model const model = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.5\nvt 1 0\nvt 0 1\nvt 7\n"
+                             "f 1/1 2/2 3/3\nf 1/-1 3/9 4\n");
+    ModelMesh const& mesh = model.meshes.at(0);
+    CHECK(mesh.soup.positions.size() == 4);
+    REQUIRE(mesh.texture_coordinates.size() == 2);
+    CHECK(mesh.texture_coordinates[0] ==
+          std::array<dvec2, 3>{dvec2(0.25, 0.5), dvec2(1.0, 0.0), dvec2(0.0, 1.0)});
+    CHECK(mesh.texture_coordinates[1] == std::array<dvec2, 3>{dvec2(7.0, 0.0), dvec2(0.0), dvec2(0.0)});
+    CHECK(read("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1 2 3\n").meshes[0].texture_coordinates.empty());
 }
 
 TEST_CASE("a missing or empty MTL file leaves opaque materials, with a word of the file and of the name") {
