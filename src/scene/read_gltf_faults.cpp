@@ -1,37 +1,13 @@
 // In: a glTF file that has been read. Out: warnings of what is wrong with it where that cannot change the
 // light. Faults that can are errors of the readers. What the specification asks is its section 5, and 4.4 for
 // .glb.
-#include "scene/read_gltf_parts.h"
-
-#include "math/input_error.h"
+#include "scene/read_gltf_faults.h"
 
 #include <cmath>
-#include <unordered_set>
 
 namespace sahl {
 
 namespace {
-
-using Warnings = std::vector<std::string>;
-
-constexpr std::size_t most_warnings = 100; // of faults; a file of a million is not told of each
-
-struct Faults {
-    Warnings& warnings;
-    std::size_t told = 0;
-
-    void add(Place const& place, std::string const& problem) {
-        if (++told <= most_warnings)
-            warnings.push_back(place.text() + ": " + problem);
-    }
-};
-
-Array const& entries(Value const& tree, std::string_view key) {
-    static Array const none;
-    Value const* const list = tree.find(key);
-    auto const* const array = list ? std::get_if<Array>(&list->data) : nullptr;
-    return array ? *array : none;
-}
 
 bool is_integer(Value const* value, std::int64_t number) {
     auto const* const integer = value ? std::get_if<std::int64_t>(&value->data) : nullptr;
@@ -42,7 +18,7 @@ constexpr std::string_view collections[] = {"accessors", "animations", "buffers"
                                             "images",    "materials",  "meshes",  "nodes",       "samplers",
                                             "scenes",    "skins",      "textures"};
 
-void check_collections(Value const& tree, Faults& faults) {
+void check_collections(Value const& tree, GltfFaults& faults) {
     for (std::string_view const key : collections) {
         Value const* const list = tree.find(key);
         auto const* const array = list ? std::get_if<Array>(&list->data) : nullptr;
@@ -56,75 +32,8 @@ void check_collections(Value const& tree, Faults& faults) {
           std::pair{"skins", "skins are left out: meshes have their rest shape"},
           std::pair{"images", "images are not opened: a material's factors are taken for all of it"},
           std::pair{"textures", "textures are not used: a material's factors are taken for all of it"}})
-        if (!entries(tree, key).empty())
+        if (!gltf_entries(tree, key).empty())
             faults.add(tree.find(key)->place, what);
-}
-
-/// Where an extension may stand; the last key of the object that holds its "extensions".
-bool belongs(std::string const& extension, std::vector<std::string> const& path) {
-    bool const material = path.size() == 2 && path[0] == "materials";
-    if (extension.rfind("KHR_materials_", 0) == 0)
-        return material || extension == "KHR_materials_variants";
-    if (extension == "KHR_texture_transform")
-        return !path.empty() && path.back().size() >= 7 &&
-               path.back().compare(path.back().size() - 7, 7, "Texture") == 0;
-    if (extension == "EXT_mesh_gpu_instancing")
-        return path.size() == 2 && path[0] == "nodes";
-    if (extension == "KHR_lights_punctual")
-        return path.empty() || (path.size() == 2 && path[0] == "nodes");
-    return true;
-}
-
-/// Extensions that are no objects, that nothing declares, or that stand where they mean nothing.
-struct ExtensionWalk {
-    std::unordered_set<std::string> declared;
-    Faults& faults;
-    std::vector<std::string> path{};
-
-    void check(Value const& extensions) {
-        auto const* const table = std::get_if<Table>(&extensions.data);
-        if (!table)
-            return faults.add(extensions.place, "this must be an object; it is left out");
-        for (auto const& [name, value] : *table) {
-            if (!std::holds_alternative<Table>(value.data))
-                faults.add(value.place, "this must be an object; it is left out");
-            if (!declared.count(name))
-                faults.add(value.place, "extensionsUsed does not name this extension");
-            if (!belongs(name, path))
-                faults.add(value.place, "this extension means nothing here, and is left out");
-        }
-    }
-    void walk(Value const& value) { // no deeper than the JSON, which is at most 256
-        auto const step = [&](std::string const& key, Value const& entry) {
-            if (!std::holds_alternative<Table>(entry.data) && !std::holds_alternative<Array>(entry.data))
-                return;
-            path.push_back(key);
-            walk(entry);
-            path.pop_back();
-        };
-        if (auto const* const table = std::get_if<Table>(&value.data)) {
-            for (auto const& [key, entry] : *table)
-                if (key == "extensions")
-                    check(entry);
-                else if (key != "extras")
-                    step(key, entry);
-        } else if (auto const* const array = std::get_if<Array>(&value.data)) {
-            for (Value const& entry : *array)
-                step("*", entry);
-        }
-    }
-};
-
-void check_extensions(Value const& tree, Faults& faults) {
-    ExtensionWalk walk{{}, faults};
-    for (Value const& name : entries(tree, "extensionsUsed"))
-        if (!walk.declared.insert(std::get<std::string>(name.data)).second)
-            faults.add(name.place, "this extension is named twice");
-    walk.walk(tree);
-    Value const* const root = tree.find("extensions");
-    if (Value const* const lights = gltf::find(root, "KHR_lights_punctual"))
-        if (entries(*lights, "lights").empty())
-            faults.add(lights->place, "it has no lights");
 }
 
 bool refers_to_nothing(Value const* index, std::size_t count) {
@@ -133,16 +42,16 @@ bool refers_to_nothing(Value const* index, std::size_t count) {
 }
 
 /// Nodes that nothing leads to may be wrong without harm.
-void check_nodes(Value const& tree, Faults& faults) {
-    Array const& nodes = entries(tree, "nodes");
+void check_nodes(Value const& tree, GltfFaults& faults) {
+    Array const& nodes = gltf_entries(tree, "nodes");
     std::vector<std::int64_t> parent(nodes.size(), -1);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (auto const& [key, list] :
              {std::pair{"mesh", "meshes"}, std::pair{"camera", "cameras"}, std::pair{"skin", "skins"}})
             if (Value const* const index = nodes[i].find(key);
-                refers_to_nothing(index, entries(tree, list).size()))
+                refers_to_nothing(index, gltf_entries(tree, list).size()))
                 faults.add(index->place, "there is no such " + std::string(key));
-        for (Value const& child : entries(nodes[i], "children")) {
+        for (Value const& child : gltf_entries(nodes[i], "children")) {
             if (refers_to_nothing(&child, nodes.size())) {
                 faults.add(child.place, "there is no such node");
                 continue;
@@ -155,7 +64,7 @@ void check_nodes(Value const& tree, Faults& faults) {
         if (nodes[i].find("matrix") &&
             (nodes[i].find("translation") || nodes[i].find("rotation") || nodes[i].find("scale")))
             faults.add(nodes[i].place, "a matrix and a translation, rotation or scale stand together");
-        Array const& turn = entries(nodes[i], "rotation");
+        Array const& turn = gltf_entries(nodes[i], "rotation");
         double squared = turn.size() == 4 ? 0.0 : 1.0;
         for (Value const& part : turn)
             squared += gltf::at_least(&part, -2.0, 0.0, "") * gltf::at_least(&part, -2.0, 0.0, "");
@@ -163,10 +72,10 @@ void check_nodes(Value const& tree, Faults& faults) {
             faults.add(turn.front().place, "the quaternion is not of length 1");
     }
     if (Value const* const scene = tree.find("scene");
-        refers_to_nothing(scene, entries(tree, "scenes").size()))
+        refers_to_nothing(scene, gltf_entries(tree, "scenes").size()))
         faults.add(scene->place, "there is no such scene");
-    for (Value const& scene : entries(tree, "scenes"))
-        for (Value const& node : entries(scene, "nodes")) {
+    for (Value const& scene : gltf_entries(tree, "scenes"))
+        for (Value const& node : gltf_entries(scene, "nodes")) {
             if (refers_to_nothing(&node, nodes.size()))
                 faults.add(node.place, "there is no such node");
             else if (parent[static_cast<std::size_t>(std::get<std::int64_t>(node.data))] >= 0)
@@ -197,8 +106,8 @@ bool is_known_attribute(std::string const& name) {
     return digits && (stem == "TEXCOORD" || stem == "COLOR" || stem == "JOINTS" || stem == "WEIGHTS");
 }
 
-void check_attributes(Value const& tree, Faults& faults) {
-    Array const& accessors = entries(tree, "accessors");
+void check_attributes(Value const& tree, GltfFaults& faults) {
+    Array const& accessors = gltf_entries(tree, "accessors");
     bool colours = false, weights = false;
     for_each_match(tree, "/meshes/*/primitives/*/attributes", [&](Value const& attributes) {
         for (auto const& [name, index] : std::get<Table>(attributes.data)) {
@@ -225,7 +134,7 @@ void check_attributes(Value const& tree, Faults& faults) {
         if (mesh.find("weights"))
             faults.add(mesh.find("weights")->place, "weights of morph targets are left out");
     });
-    Array const& views = entries(tree, "bufferViews");
+    Array const& views = gltf_entries(tree, "bufferViews");
     for_each_match(tree, "/meshes/*/primitives/*/indices", [&](Value const& index) {
         if (refers_to_nothing(&index, accessors.size()))
             return;
@@ -237,8 +146,8 @@ void check_attributes(Value const& tree, Faults& faults) {
     });
 }
 
-void check_views(Value const& tree, Faults& faults) {
-    for (Value const& view : entries(tree, "bufferViews")) {
+void check_views(Value const& tree, GltfFaults& faults) {
+    for (Value const& view : gltf_entries(tree, "bufferViews")) {
         Value const* const stride = view.find("byteStride");
         Value const* const target = view.find("target");
         if (!stride)
@@ -254,7 +163,7 @@ void check_views(Value const& tree, Faults& faults) {
     }
 }
 
-void check_container(GltfFile const& file, Value const& tree, Faults& faults) {
+void check_container(GltfFile const& file, Value const& tree, GltfFaults& faults) {
     Place const place{file.name(), 0, 0, {}};
     if (file.json().substr(0, 3) == "\xEF\xBB\xBF")
         faults.add(place, "its JSON begins with a byte order mark");
@@ -262,7 +171,7 @@ void check_container(GltfFile const& file, Value const& tree, Faults& faults) {
         return;
     for (std::string const& fault : file.faults)
         faults.add(place, fault);
-    Array const& buffers = entries(tree, "buffers");
+    Array const& buffers = gltf_entries(tree, "buffers");
     Value const* const length = buffers.empty() ? nullptr : buffers.front().find("byteLength");
     if (length && !buffers.front().find("uri") && file.bin_size > 0 &&
         file.bin_size > static_cast<std::uint64_t>(std::get<std::int64_t>(length->data)) + 3)
@@ -272,16 +181,16 @@ void check_container(GltfFile const& file, Value const& tree, Faults& faults) {
 
 } // namespace
 
-void warn_of_harmless_faults(GltfFile const& file, Value const& tree, Warnings& warnings) {
-    Faults faults{warnings};
+void warn_of_harmless_faults(GltfFile const& file, Value const& tree, std::vector<std::string>& warnings) {
+    GltfFaults faults{warnings};
     check_container(file, tree, faults);
     check_collections(tree, faults);
-    check_extensions(tree, faults);
+    check_gltf_extensions(tree, faults);
     check_nodes(tree, faults);
     check_attributes(tree, faults);
     check_views(tree, faults);
-    if (faults.told > most_warnings)
-        warnings.push_back(file.name() + ": and " + std::to_string(faults.told - most_warnings) +
+    if (faults.told > GltfFaults::most)
+        warnings.push_back(file.name() + ": and " + std::to_string(faults.told - GltfFaults::most) +
                            " more faults of the file");
 }
 
