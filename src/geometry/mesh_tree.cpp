@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -93,7 +94,10 @@ MeshTree::MeshTree(std::shared_ptr<Mesh const> mesh)
     : mesh_(std::move(mesh)), corners_(corners_of(*mesh_)), triangles_(corners_) {}
 
 BoxTree const& MeshTree::boxes() const {
-    std::call_once(boxes_built_, [this] { boxes_.emplace(bounds_of(corners_)); });
+    // in a thread of its own: one that traces would, while Embree builds, take up other rays and come here
+    // again
+    std::call_once(boxes_built_,
+                   [this] { std::thread([this] { boxes_.emplace(bounds_of(corners_)); }).join(); });
     return *boxes_;
 }
 
