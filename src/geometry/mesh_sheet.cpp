@@ -1,6 +1,6 @@
 #include "geometry/mesh_sheet.h"
 
-#include "math/products.h"
+#include "geometry/triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace sahl {
 
 namespace {
 
-std::array<dvec3, 3> corners_of(Mesh const& mesh, std::uint32_t triangle) {
+TriangleCorners corners_of(Mesh const& mesh, std::uint32_t triangle) {
     auto const& [a, b, c] = mesh.soup.triangles[triangle];
     return {mesh.soup.positions[a], mesh.soup.positions[b], mesh.soup.positions[c]};
 }
@@ -35,19 +35,11 @@ MeshSheet::MeshSheet(std::shared_ptr<Mesh const> mesh)
     : mesh_(std::move(mesh)), tree_(triangle_bounds(*mesh_)) {}
 
 dvec3 MeshSheet::normal(std::uint32_t triangle) const {
-    auto const [a, b, c] = corners_of(*mesh_, triangle);
-    return normalize(precise_cross(b - a, c - a));
+    return normal_of(corners_of(*mesh_, triangle));
 }
 
 dvec3 MeshSheet::onto(std::uint32_t triangle, dvec3 const& point) const {
-    auto const [a, b, c] = corners_of(*mesh_, triangle);
-    dvec3 const ab = b - a, ac = c - a, normal = precise_cross(ab, ac), from = point - a;
-    double const squared = dot(normal, normal);
-    double const v = dot(cross(from, ac), normal) / squared, w = dot(cross(ab, from), normal) / squared;
-    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0)
-        return point - dot(normal, from) / squared * normal;
-    double const v_in = std::max(v, 0.0), w_in = std::max(w, 0.0), sum = std::max(v_in + w_in, 1.0);
-    return a + (v_in * ab + w_in * ac) / sum;
+    return onto_triangle(corners_of(*mesh_, triangle), point);
 }
 
 /// By the volumes that the line spans with each edge. A line that misses a triangle by no more than rounding

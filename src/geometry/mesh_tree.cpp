@@ -1,7 +1,7 @@
 #include "geometry/mesh_tree.h"
 
 #include "geometry/mesh_stations.h"
-#include "math/products.h"
+#include "geometry/triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@ namespace sahl {
 namespace {
 
 /// Corners by triangle, anticlockwise seen from outside the volume that the shell encloses.
-std::vector<std::array<dvec3, 3>> corners_of(Mesh const& mesh) {
-    std::vector<std::array<dvec3, 3>> corners;
+std::vector<TriangleCorners> corners_of(Mesh const& mesh) {
+    std::vector<TriangleCorners> corners;
     corners.reserve(mesh.soup.triangles.size());
     for (std::size_t t = 0; t < mesh.soup.triangles.size(); ++t) {
         auto [a, b, c] = mesh.soup.triangles[t];
@@ -26,7 +26,7 @@ std::vector<std::array<dvec3, 3>> corners_of(Mesh const& mesh) {
     return corners;
 }
 
-std::vector<Bounds> bounds_of(std::vector<std::array<dvec3, 3>> const& triangles) {
+std::vector<Bounds> bounds_of(std::vector<TriangleCorners> const& triangles) {
     std::vector<Bounds> bounds;
     bounds.reserve(triangles.size());
     for (auto const& [a, b, c] : triangles)
@@ -102,20 +102,11 @@ BoxTree const& MeshTree::boxes() const {
 }
 
 dvec3 MeshTree::normal(std::uint32_t triangle) const {
-    auto const& [a, b, c] = corners_[triangle];
-    return normalize(precise_cross(b - a, c - a));
+    return normal_of(corners_[triangle]);
 }
 
 dvec3 MeshTree::onto(std::uint32_t triangle, dvec3 const& point) const {
-    dvec3 const& a = corners_[triangle][0];
-    dvec3 const ab = corners_[triangle][1] - a, ac = corners_[triangle][2] - a;
-    dvec3 const normal = precise_cross(ab, ac), from = point - a;
-    double const squared = dot(normal, normal);
-    double const v = dot(cross(from, ac), normal) / squared, w = dot(cross(ab, from), normal) / squared;
-    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0)
-        return point - dot(normal, from) / squared * normal;
-    double const v_in = std::max(v, 0.0), w_in = std::max(w, 0.0), sum = std::max(v_in + w_in, 1.0);
-    return a + (v_in * ab + w_in * ac) / sum;
+    return onto_triangle(corners_[triangle], point);
 }
 
 /// A triangle seen along a line.
@@ -124,7 +115,7 @@ struct MeshTree::Projected {
     std::array<dvec2, 3> flat;    // across the line
     double u, v, w;               // twice the signed areas between the line and each edge
 
-    Projected(Line const& line, std::array<dvec3, 3> const& triangle) {
+    Projected(Line const& line, TriangleCorners const& triangle) {
         for (std::size_t i = 0; i < 3; ++i) {
             corners[i] = triangle[i] - line.origin;
             dvec3 const& p = corners[i];
