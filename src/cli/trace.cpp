@@ -107,11 +107,18 @@ void add_trace(CLI::App& app, int& status) {
                      "KEY=VALUE: set a key of the experiment, e.g. object.prism.turn_deg[2]=10")
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--seed", arguments->seed, "Seed of the random numbers");
+    command->add_option("--seed", arguments->seed, "Seed of the random numbers")
+        ->check(CLI::TypeValidator<std::uint64_t>("UINT"));
     command->add_option("--threads", arguments->threads,
                         "Threads; 0: all there are. The results are the same");
-    command->add_option("--tolerance", arguments->tolerance, "The direction error you can bear, rad");
-    command->add_option("--method", arguments->method, "How meshes are met: auto, facet, interpolated");
+    command->add_option("--tolerance", arguments->tolerance, "The direction error you can bear, rad")
+        ->check([](std::string const& text) {
+            double value = 0.0;
+            bool const good = CLI::detail::lexical_cast(text, value) && value > 0.0;
+            return good ? std::string() : "give a number above 0, in rad, and not " + text;
+        });
+    command->add_option("--method", arguments->method, "How meshes are met: auto, facet, interpolated")
+        ->check(CLI::IsMember({"auto", "facet", "interpolated", "quadratic", "fitted", "recognised"}));
     command->add_option("--log", arguments->log, "none, or a file for the log of the rays");
     command->add_flag("--json", arguments->json, "The summary on standard output");
     command->add_flag("--quiet", arguments->quiet, "Say nothing but errors");

@@ -228,3 +228,15 @@ TEST_CASE("check tells a hole in a model by its place, as text and as JSON, and 
     CHECK(shell.run("check torn.obj") == 3);
     CHECK(shell.text("out.txt").empty());
 }
+
+TEST_CASE("an option that is no number, or no method, is wrong usage that names the option") {
+    Shell shell;
+    shell.write("ball.toml", ball);
+    for (std::string const wrong :
+         {"--seed x", "--seed -1", "--tolerance 0", "--tolerance thin", "--method fast"}) {
+        CAPTURE(wrong);
+        CHECK(shell.run("trace ball.toml " + wrong) == 2);
+        CHECK(shell.text("err.txt").rfind(wrong.substr(0, wrong.find(' ')), 0) == 0);
+        CHECK(!fs::exists(shell.folder / "out"));
+    }
+}
