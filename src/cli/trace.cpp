@@ -108,7 +108,10 @@ void add_trace(CLI::App& app, int& status) {
         ->take_all()
         ->allow_extra_args(false);
     command->add_option("--seed", arguments->seed, "Seed of the random numbers")
-        ->check(CLI::TypeValidator<std::uint64_t>("UINT"));
+        ->check([](std::string const& text) {
+            bool const digits = text.find_first_not_of("0123456789") == std::string::npos;
+            return digits ? std::string() : "give a whole number from 0 on, and not " + text;
+        });
     command->add_option("--threads", arguments->threads,
                         "Threads; 0: all there are. The results are the same");
     command->add_option("--tolerance", arguments->tolerance, "The direction error you can bear, rad")
