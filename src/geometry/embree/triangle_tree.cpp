@@ -12,11 +12,11 @@ namespace {
 /// Edges are moved outward by this many ulp of the mesh's size. Rounding the line and the corners to float
 /// moves them against each other by 3 ulp at the most; the rest keeps that true of what the line sees of a
 /// triangle that it meets at a slope of a tenth.
-constexpr double growth_ulps = 32.0;
+constexpr double growth_ulps = 64.0;
 
 /// Triangles are lifted outward by this many ulp of the mesh's size: a line that cuts off a corner so thin
 /// that float cannot see it meets them, if not the right ones. It meets them at a small slope, which is told.
-constexpr double lift_ulps = 6.0;
+constexpr double lift_ulps = 3.0;
 
 /// Below this slope the sign of normal · direction is left open: the float normal of a grown triangle, whose
 /// height is at least twice the growth, may be wrong by so much.
