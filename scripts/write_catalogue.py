@@ -4,30 +4,17 @@ Out: src/materials/catalogue_data.cpp on standard output, with the figures as th
 
     write_catalogue.py glasses.csv glass_absorption.csv metals.csv > src/materials/catalogue_data.cpp
 
-glasses.csv: maker,name,formula,from_um,to_um,nd,vd,kelvin,coefficients; the others: name columns, wavelength_um, (n,) k."""
+glasses.csv: maker,name,formula,from_um,to_um,nd,vd,kelvin,coefficients; the others: name columns, wavelength_um, (n,) k.
+Most tables of extinction share their wavelengths with others: each such grid is written once."""
 
 import csv
-import re
 import sys
 
-GLASSES = """
-    schott: N-BK7 N-K5 K7 N-BAK4 N-SK16 N-SSK5 N-BAF10 N-LAK8 N-LAK10 N-LAK22 N-LASF9 N-FK51A F2 SF5 SF6 SF10 SF11
-            N-SF5 N-SF6 N-SF10 N-SF11 N-SF57 BOROFLOAT33 LITHOSIL-Q LITHOTEC-CAF2
-    ohara: S-LAH79 S-FPL51 S-FPL53
-    hoya: FCD1
-    other: water diamond fused-silica calcium-fluoride magnesium-fluoride-o sapphire-o quartz-o pmma polycarbonate
-           polystyrene
-"""
-FORMULAS = {"formula 1", "formula 2", "formula 3"}
-
-
-def wanted_glasses():
-    maker = None
-    for word in GLASSES.split():
-        if word.endswith(":"):
-            maker = word[:-1]
-        else:
-            yield maker, word
+FORMULAS = {f"formula {number}" for number in range(1, 10)}
+# 1 exactly by the convention that indices are relative to air, and built in.
+LEFT_OUT = {("other", "air")}
+# Index relative to vacuum and wavelength in vacuum, by the source (Daimon and Masumura, Appl. Opt. 46 (2007) 3811).
+ABSOLUTE = {("other", "water")}
 
 
 def read(path):
@@ -36,66 +23,78 @@ def read(path):
 
 
 def number(text):
-    """The figure as printed, once it is certain that it is one."""
+    """The figure as printed, once it is certain that it is one; without zeros that say nothing."""
     float(text)
-    return text
+    mantissa, _, exponent = text.upper().partition("E")
+    if "." in mantissa:
+        mantissa = mantissa.rstrip("0").rstrip(".") or "0"
+    sign = "-" if exponent.startswith("-") else ""
+    short = mantissa + (f"E{sign}{exponent.lstrip('+-').lstrip('0') or '0'}" if exponent else "")
+    assert float(short) == float(text), text
+    return short
 
 
-def array(kind, name, items):
-    """One constexpr array, wrapped at 110 columns."""
-    lines, line = [], f"constexpr {kind} {name}[] = {{"
+def array(name, items):
+    """One constexpr array of doubles, wrapped at 110 columns."""
+    lines, line = [], f"constexpr double {name}[] = {{"
     for i, item in enumerate(items):
         piece = item + ("};" if i + 1 == len(items) else ",")
-        if len(line) + len(piece) > 108:
-            lines.append(line.rstrip())
-            line = "    "
-        line += piece + " "
-    return "\n".join(lines + [line.rstrip()])
+        if len(line) + len(piece) > 110:
+            lines.append(line)
+            line = ""
+        line += piece
+    return "\n".join(lines + [line])
 
 
-def ascending(rows, what):
+def columns(rows, what, *names):
+    """The columns of rows in the order of wavelength, which must not occur twice, unless with the same figures."""
+    rows = {tuple(row.items()): row for row in rows}.values()
     rows = sorted(rows, key=lambda row: float(row["wavelength_um"]))
     um = [float(row["wavelength_um"]) for row in rows]
     if any(b <= a for a, b in zip(um, um[1:])):
         sys.exit(f"{what}: a wavelength occurs twice")
-    return rows
+    return [tuple(number(row[name]) for row in rows) for name in names]
+
+
+def by(rows, *keys):
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row[key] for key in keys), []).append(row)
+    return groups
 
 
 def main(glasses_csv, absorption_csv, metals_csv):
-    glasses = {(row["maker"], row["name"]): row for row in read(glasses_csv)}
-    absorption = {}
-    for row in read(absorption_csv):
-        absorption.setdefault((row["maker"], row["name"]), []).append(row)
-    metals = {}
-    for row in read(metals_csv):
-        metals.setdefault(row["name"], []).append(row)
-
-    arrays, glass_rows, metal_rows = [], [], []
-    for key in wanted_glasses():
-        row = glasses.get(key) or sys.exit(f"{glasses_csv}: no {key[0]}:{key[1]}")
+    absorption = by(read(absorption_csv), "maker", "name")
+    arrays, grids, glass_rows, metal_rows = [], {}, [], []
+    for i, row in enumerate(read(glasses_csv)):
+        key = (row["maker"], row["name"])
+        if key in LEFT_OUT:
+            continue
         if row["formula"] not in FORMULAS:
             sys.exit(f"{key[1]}: {row['formula']} is not one of {sorted(FORMULAS)}")
-        name = re.sub(r"\W", "_", "_".join(key)).lower()
         maker = key[0] if key[0] == "other" else key[0].upper()
-        arrays.append(array("double", f"{name}_c", [number(c) for c in row["coefficients"].split()]))
-        extinction = "{}"
+        arrays.append(array(f"c{i}", [number(c) for c in row["coefficients"].split()]))
+        extinction = "{}, {}"
         if key in absorption:
-            extinction = f"{name}_k"
-            points = ascending(absorption[key], name)
-            arrays.append(array("GlassRow::Extinction", extinction,
-                                [f"{{{number(p['wavelength_um'])}, {number(p['k'])}}}" for p in points]))
+            um, k = columns(absorption.pop(key), key, "wavelength_um", "k")
+            grid = grids.setdefault(um, f"grid{len(grids)}")
+            arrays.append(array(f"k{i}", k))
+            extinction = f"{grid}, k{i}"
         figures = ", ".join(number(row[column] or "0") for column in ("from_um", "to_um", "nd", "vd"))
-        glass_rows.append(f'    {{"{maker}", "{key[1]}", {row["formula"][-1]}, {figures}, {name}_c, {extinction}}},')
-    for name, points in metals.items():
-        arrays.append(array("MetalRow::Point", name,
-                            [f"{{{number(p['wavelength_um'])}, {number(p['n'])}, {number(p['k'])}}}"
-                             for p in ascending(points, name)]))
-        metal_rows.append(f'    {{"{name}", {name}}},')
+        absolute = "true" if key in ABSOLUTE else "false"
+        glass_rows.append(f'    {{"{maker}", "{key[1]}", {row["formula"][-1]}, {absolute}, {figures}, c{i}, {extinction}}},')
+    if absorption:
+        sys.exit(f"{absorption_csv}: {sorted(absorption)[0]} is not in {glasses_csv}")
+    for (name,), points in by(read(metals_csv), "name").items():
+        for column, figures in zip(("um", "n", "k"), columns(points, name, "wavelength_um", "n", "k")):
+            arrays.append(array(f"{name}_{column}", figures))
+        metal_rows.append(f'    {{"{name}", {name}_um, {name}_n, {name}_k}},')
 
-    print("// In: nothing. Out: glasses and metals, from the refractiveindex.info database (public domain).")
+    print("// In: nothing. Out: glasses and metals, from the refractiveindex.info database (public domain, CC0).")
     print("// Written by scripts/write_catalogue.py: change that, or its tables, and not this file.")
     print("// clang-format off")
     print('#include "materials/catalogue_data.h"\n\nnamespace sahl {\nnamespace {\n')
+    print("\n".join(array(name, um) for um, name in grids.items()))
     print("\n".join(arrays))
     print("\nconstexpr GlassRow glasses[] = {", *glass_rows, "};\n", sep="\n")
     print("constexpr MetalRow metals[] = {", *metal_rows, "};\n\n} // namespace\n", sep="\n")

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     sahl::add_check(app, status);
     sahl::add_explain(app, status);
     sahl::add_export(app, status);
+    sahl::add_glass(app, status);
     try {
         app.parse(argc, argv);
         return status;

@@ -7,23 +7,18 @@
 namespace sahl {
 
 struct GlassRow {
-    struct Extinction {
-        double um, k;
-    };
     char const *maker, *name;
-    int formula; // 1, 2, 3: n² = …; see materials/catalogue.cpp
+    int formula;   // as page_formula numbers them (materials/formulas.h)
+    bool absolute; // index relative to vacuum, wavelength in vacuum
     double from_um, to_um;
     double nd, vd; // 0: not given
     std::span<double const> coefficients;
-    std::span<Extinction const> extinction; // ascending; may be empty
+    std::span<double const> um, k; // extinction; ascending, as many of each; may be empty
 };
 
 struct MetalRow {
-    struct Point {
-        double um, n, k;
-    };
     char const* name;
-    std::span<Point const> points; // ascending
+    std::span<double const> um, n, k; // ascending, as many of each
 };
 
 std::span<GlassRow const> glass_rows();

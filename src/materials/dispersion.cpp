@@ -12,6 +12,7 @@ namespace {
 
 constexpr double metres_to_um = 1e6;
 constexpr double metres_to_nm = 1e9;
+constexpr double herzberger_pole_um2 = 0.028; // M. Herzberger's constant, the same for all glasses
 
 /// The root of n², NaN unless n² is positive and finite: at a resonance, and between it and where n² is
 /// positive again.
@@ -36,6 +37,14 @@ double index_of_air(double wavelength) {
     return 1.0 + gas_refractivity(0.0, terms, wavelength);
 }
 
+/// Σ c λ^e, λ in µm.
+double sum_of_powers(std::vector<std::pair<double, double>> const& terms, double um) {
+    double sum = 0.0;
+    for (auto const& [c, exponent] : terms)
+        sum += c * std::pow(um, exponent);
+    return sum;
+}
+
 struct IndexAt {
     double wavelength;
 
@@ -56,15 +65,39 @@ struct IndexAt {
         return f.a + f.b_um2 / (um * um) + f.c_um4 / (um * um * um * um);
     }
     double operator()(PowerSeries const& f) const {
-        double sum = f.c1;
-        for (auto const& [c, exponent] : f.terms)
-            sum += c * std::pow(wavelength * metres_to_um, exponent);
+        return index_from_square(f.c1 + sum_of_powers(f.terms, wavelength * metres_to_um));
+    }
+    double operator()(PolesAndPowers const& f) const {
+        double const um = wavelength * metres_to_um;
+        double sum = f.c1 + sum_of_powers(f.powers, um);
+        for (auto const& [b, exponent, g] : f.poles)
+            sum += b * std::pow(um, exponent) / (um * um - g);
         return index_from_square(sum);
+    }
+    double operator()(IndexSeries const& f) const {
+        double const um = wavelength * metres_to_um;
+        double const l = 1.0 / (um * um - herzberger_pole_um2);
+        return f.c1 + l * (f.h1 + l * f.h2) + sum_of_powers(f.powers, um);
+    }
+    double operator()(LorentzLorenz const& f) const {
+        double const square = wavelength * metres_to_um * wavelength * metres_to_um;
+        double const x = f.c1 + f.c2 * square / (square - f.c3) + f.c4 * square;
+        return index_from_square((1.0 + 2.0 * x) / (1.0 - x));
+    }
+    double operator()(ResonantIndex const& f) const {
+        double const um = wavelength * metres_to_um, off = um - f.c5;
+        return index_from_square(f.c1 + f.c2 / (um * um - f.c3) + f.c4 * off / (off * off + f.c6));
     }
     double operator()(GasIndex const& f) const {
         return (1.0 + gas_refractivity(f.c1, f.terms, wavelength)) / index_of_air(wavelength);
     }
     double operator()(VacuumIndex const&) const { return 1.0 / index_of_air(wavelength); }
+    double operator()(AbsoluteIndex const& f) const {
+        double const air = index_of_air(wavelength);
+        double const n =
+            refractive_index(f.of->formula, f.wavelength_is_vacuum ? wavelength * air : wavelength);
+        return f.index_is_absolute ? n / air : n;
+    }
     double operator()(TabulatedIndex const& f) const {
         return interpolate(
             f.points, wavelength, [](auto const& p) { return p.first; },
@@ -82,12 +115,18 @@ struct Disperses {
         return false;
     }
     bool operator()(Cauchy const& f) const { return f.b_um2 != 0.0 || f.c_um4 != 0.0; }
-    bool operator()(PowerSeries const& f) const {
-        return std::any_of(f.terms.begin(), f.terms.end(),
+    static bool any(std::vector<std::pair<double, double>> const& powers) {
+        return std::any_of(powers.begin(), powers.end(),
                            [](auto const& term) { return term.first != 0.0 && term.second != 0.0; });
     }
+    bool operator()(PowerSeries const& f) const { return any(f.terms); }
+    bool operator()(PolesAndPowers const& f) const { return !f.poles.empty() || any(f.powers); }
+    bool operator()(IndexSeries const& f) const { return f.h1 != 0.0 || f.h2 != 0.0 || any(f.powers); }
+    bool operator()(LorentzLorenz const& f) const { return f.c4 != 0.0 || (f.c2 != 0.0 && f.c3 != 0.0); }
+    bool operator()(ResonantIndex const& f) const { return f.c2 != 0.0 || f.c4 != 0.0; }
     bool operator()(GasIndex const&) const { return true; } // air, which it is divided by, disperses
     bool operator()(VacuumIndex const&) const { return true; }
+    bool operator()(AbsoluteIndex const& f) const { return f.index_is_absolute || disperses(f.of->formula); }
     bool operator()(TabulatedIndex const& f) const {
         return std::any_of(f.points.begin(), f.points.end(),
                            [&](auto const& point) { return point.second != f.points.front().second; });

@@ -14,6 +14,11 @@ constexpr double largest_seed = 9007199254740992.0; // 2⁵³: up to here every 
 constexpr Key experiment_keys[] = {
     {"title", Kind::text, {}, "what the experiment is called; absent: the name of the file"},
     {"surroundings", Kind::text, "air", "the medium outside all bodies"},
+    {"catalogues",
+     Kind::texts,
+     {},
+     "glasses of your own: paths, relative to this file, of Zemax AGF files and refractiveindex.info pages "
+     "(.yml)"},
     {"medium", Kind::table, {}, "media by name; each is a table [medium.NAME]"},
     {"surface", Kind::table, {}, "surfaces by name; each is a table [surface.NAME]"},
     {"trace", Kind::table, {}, "how rays are followed"},

@@ -11,7 +11,10 @@ constexpr Range not_negative{0.0};
 constexpr Range share{0.0, 1.0};
 
 constexpr Key medium_keys[] = {
-    {"glass", Kind::text, {}, "a name of the catalogue, \"N-BK7\" or \"SCHOTT:N-BK7\", with its absorption"},
+    {"glass",
+     Kind::text,
+     {},
+     "a name of the catalogue, \"N-BK7\" or \"SCHOTT:N-BK7\", with its absorption; `sahl glass` lists them"},
     {"n", Kind::number, {}, "the same refractive index at all wavelengths", above_zero},
     {"nd", Kind::number, {}, "index at the d line, with vd: as in KHR_materials_dispersion", {1.0, infinity}},
     {"vd", Kind::number, {}, "Abbe number", above_zero},
@@ -66,12 +69,13 @@ constexpr Key paint_keys[] = {
 
 } // namespace
 
-KeyTable const keys::medium{"medium",
-                            "Exactly one of glass, n, nd with vd, sellmeier, cauchy and table. Indices are "
-                            "relative to air. Wherever a medium "
-                            "is asked for, a name defined here or one of the catalogue will do; \"air\" and "
-                            "\"vacuum\" are in the catalogue.",
-                            medium_keys};
+KeyTable const keys::medium{
+    "medium",
+    "Exactly one of glass, n, nd with vd, sellmeier, cauchy and table. Indices are "
+    "relative to air. Wherever a medium "
+    "is asked for, a name defined here, in one of your `catalogues`, or in the "
+    "built-in catalogue will do, in this order; \"air\" and \"vacuum\" are in the last.",
+    medium_keys};
 KeyTable const keys::sellmeier{"sellmeier", "λ in µm.", sellmeier_keys};
 KeyTable const keys::cauchy{"cauchy", "λ in µm.", cauchy_keys};
 KeyTable const keys::surface{

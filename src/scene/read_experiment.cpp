@@ -2,6 +2,7 @@
 #include "scene/read_experiment.h"
 
 #include "math/input_error.h"
+#include "scene/read_catalogues.h"
 #include "scene/read_file.h"
 #include "scene/read_media.h"
 #include "scene/read_objects.h"
@@ -84,7 +85,7 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     experiment.limits = read_limits(tree);
     check_picture_keys(tree);
 
-    MediaBook media(tree.find("medium"));
+    MediaBook media(tree.find("medium"), read_catalogues(tree.find("catalogues"), folder));
     experiment.surroundings = media.refer(top.text("surroundings"), top.place("surroundings"));
     experiment.surfaces = read_surfaces(tree.find("surface"), folder);
     Groups const groups = read_groups(tables_in(tree, "group"));

@@ -2,8 +2,9 @@
 // to.
 #include "scene/read_media.h"
 
-#include "materials/catalogue.h"
 #include "math/input_error.h"
+#include "math/nearest_name.h"
+#include "scene/read_catalogues.h"
 #include "scene/read_table.h"
 
 #include <algorithm>
@@ -13,18 +14,12 @@ namespace sahl {
 
 namespace {
 
-std::vector<std::string> catalogue_names() {
-    std::vector<std::string> names = glass_names();
-    names.insert(names.end(), {"air", "vacuum"});
-    return names;
-}
-
-Medium read_glass(Fields const& fields) {
+Medium read_glass(Fields const& fields, std::span<GlassEntry const> own) {
     std::string const name = fields.text("glass");
-    if (auto medium = find_glass(name))
-        return *medium;
+    if (GlassEntry const* const entry = find_entry(own, name, fields.place("glass")))
+        return entry->medium;
     throw InputError(fields.place("glass").text(), "there is no glass \"" + name + "\" in the catalogue",
-                     did_you_mean(name, catalogue_names()));
+                     similar_entries(own, name));
 }
 
 Dispersion read_sellmeier(Value const& table) {
@@ -61,14 +56,14 @@ std::vector<std::pair<double, double>> read_spectral_table(Value const& list, do
     return points;
 }
 
-Medium read_index(Fields const& fields) {
+Medium read_index(Fields const& fields, std::span<GlassEntry const> own) {
     for (auto const& [one, other] : {std::pair{"nd", "vd"}, std::pair{"vd", "nd"}})
         if (fields.has(one) && !fields.has(other))
             throw InputError(fields.place(one).text(), fields.called(one) + " stands without " + other,
                              "give both");
     std::string const kind = fields.only_one_of({"glass", "n", "nd", "sellmeier", "cauchy", "table"});
     if (kind == "glass")
-        return read_glass(fields);
+        return read_glass(fields, own);
     Medium medium;
     if (kind == "n")
         medium.index = ConstantIndex{fields.number("n")};
@@ -116,16 +111,16 @@ void read_absorption(Fields const& fields, Medium& medium) {
 
 } // namespace
 
-MediaBook::MediaBook(Value const* definitions) {
+MediaBook::MediaBook(Value const* definitions, std::vector<GlassEntry> own) : own_(std::move(own)) {
     if (!definitions)
         return;
     for (auto const& [name, table] : std::get<Table>(definitions->data)) {
         check_name(name, table.place);
         Fields const fields(table, keys::medium);
-        Medium medium = read_index(fields);
+        Medium medium = read_index(fields, own_);
         read_absorption(fields, medium);
         medium.name = name;
-        defined_.push_back({std::move(medium), table.place});
+        defined_.push_back({std::move(medium), table.place, {}});
     }
 }
 
@@ -142,22 +137,29 @@ MediumId MediaBook::refer(std::string_view name, Place const& place) {
     for (Entry& entry : defined_)
         if (entry.medium.name == name)
             return give(entry);
-    std::vector<std::string> names;
-    auto const medium = find_glass(name);
-    if (!medium) {
-        for (Entry const& entry : defined_)
-            names.push_back(entry.medium.name);
-        auto const catalogue = catalogue_names();
-        names.insert(names.end(), catalogue.begin(), catalogue.end());
-        throw InputError(place.text(),
-                         "there is no medium \"" + std::string(name) + "\", here or in the catalogue",
-                         did_you_mean(name, names));
-    }
+    GlassEntry const* const found = find_entry(own_, name, place);
+    if (!found)
+        refuse(name, place);
     for (Entry& entry : from_catalogue_)
-        if (entry.medium.name == medium->name)
+        if (entry.catalogue_name == found->full_name())
             return give(entry);
-    from_catalogue_.push_back({*medium, place});
+    from_catalogue_.push_back({found->medium, place, found->full_name()});
+    Medium& medium = from_catalogue_.back().medium;
+    // Two makers may give their glasses one name, but summaries and logs have each once.
+    if (std::any_of(media_.begin(), media_.end(), [&](Medium const& m) { return m.name == medium.name; }))
+        medium.name = found->full_name();
     return give(from_catalogue_.back());
+}
+
+void MediaBook::refuse(std::string_view name, Place const& place) const {
+    std::vector<std::string> defined;
+    for (Entry const& entry : defined_)
+        defined.push_back(entry.medium.name);
+    std::string const nearest = nearest_name(name, defined);
+    bool const near = !nearest.empty() && 2 * edit_distance(name, nearest) <= name.size();
+    throw InputError(place.text(),
+                     "there is no medium \"" + std::string(name) + "\", here or in the catalogue",
+                     near ? did_you_mean(name, defined) : similar_entries(own_, name));
 }
 
 std::vector<std::string> check_media(MediaBook const& book, std::vector<double> const& wavelengths) {

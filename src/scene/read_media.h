@@ -1,6 +1,7 @@
 // In: the tables [medium.NAME] and names asked for. Out: the media that something refers to, each once.
 #pragma once
 
+#include "materials/catalogue.h"
 #include "materials/medium.h"
 #include "math/ids.h"
 #include "scene/value.h"
@@ -15,11 +16,13 @@ namespace sahl {
 /// Gives out ids for names of media, so that only what is referred to reaches the experiment.
 class MediaBook {
   public:
-    /// `definitions`: the table `medium`, or nullptr. Throws InputError at the first that is wrong, referred
-    /// to or not.
-    explicit MediaBook(Value const* definitions);
+    /// `definitions`: the table `medium`, or nullptr; `own`: the glasses of the user's catalogues. Throws
+    /// InputError at the first that is wrong, referred to or not.
+    explicit MediaBook(Value const* definitions, std::vector<GlassEntry> own = {});
 
-    /// A name defined in the file goes before one of the catalogue. Throws InputError with the nearest name.
+    /// A name defined in the file goes before one of the user's catalogues, and that before one of the
+    /// built-in catalogue. Throws InputError with names that are near, or with the makers where they share
+    /// the name.
     MediumId refer(std::string_view name, Place const& place);
 
     /// What has been referred to, by id, and where it is defined, or first asked for if it is in the
@@ -31,10 +34,13 @@ class MediaBook {
     struct Entry {
         Medium medium;
         Place place;
-        int id = -1; // not referred to
+        std::string catalogue_name; // full; empty: defined in the file
+        int id = -1;                // not referred to
     };
     MediumId give(Entry& entry);
+    [[noreturn]] void refuse(std::string_view name, Place const& place) const;
 
+    std::vector<GlassEntry> own_;
     std::vector<Entry> defined_, from_catalogue_;
     std::vector<Medium> media_;
     std::vector<Place> places_;

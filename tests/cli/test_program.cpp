@@ -240,3 +240,47 @@ TEST_CASE("an option that is no number, or no method, is wrong usage that names 
         CHECK(!fs::exists(shell.folder / "out"));
     }
 }
+
+TEST_CASE("glass lists the catalogue, searches it and prints a glass, as text and as JSON") {
+    Shell shell;
+    auto const said = [&](std::string const& part) {
+        return shell.text("out.txt").find(part) != std::string::npos;
+    };
+    CHECK(shell.run("glass") == 0);
+    for (char const* part : {"SCHOTT (163)", "OHARA (410)", " N-SF11 ", "metals (4)", "sahl glass NAME"})
+        CHECK(said(part));
+    CHECK(shell.run("glass n-bk7 --at 1064 --thickness 50") == 0);
+    for (char const* part :
+         {"SCHOTT:N-BK7", "n at 1064 nm", "1.50663", "64.17", "300 – 2500 nm", "50 mm let through"})
+        CHECK(said(part));
+    CHECK(shell.run("glass 'N-SF1?'") == 0);
+    CHECK((said("SCHOTT:N-SF11") && said("SCHOTT:N-SF19") && !said("SCHOTT:N-SF1 ")));
+    CHECK(shell.run("glass F2") == 0); // both, so that one sees what to write
+    CHECK((said("SCHOTT:F2") && said("CDGM:F2")));
+    CHECK(shell.run("glass silver --at 633 --json") == 0);
+    Value const metal = parse_json(shell.text("out.txt"), "out.txt");
+    CHECK(std::get<double>(std::get<Array>(metal.find("metals")->data).front().find("reflectance")->data) >
+          0.98);
+    CHECK(shell.run("glass --nd 1.5168 --vd 64.17 --count 3 --json") == 0);
+    Value const nearest = parse_json(shell.text("out.txt"), "out.txt");
+    Array const& glasses = std::get<Array>(nearest.find("glasses")->data);
+    REQUIRE(glasses.size() == 3);
+    CHECK(std::get<double>(glasses[0].find("nd")->data) == Approx(1.5168).margin(1e-4));
+    CHECK(std::get<double>(glasses[0].find("vd")->data) == Approx(64.17).margin(0.05));
+}
+
+TEST_CASE("glass looks into catalogues of one's own, and refuses what it cannot find") {
+    Shell shell;
+    shell.write("my.agf", "NM SPECIAL 5 0 0 0\nCD 1.8 0.01\nLD 0.4 0.8\nIT 0.5 0.5 10\n");
+    CHECK(shell.run("glass special --catalogue my.agf --at 500 --json") == 0);
+    Value const report = parse_json(shell.text("out.txt"), "out.txt");
+    Value const& glass = std::get<Array>(report.find("glasses")->data).front();
+    CHECK(std::get<double>(glass.find("n")->data) == Approx(1.82));
+    CHECK(std::get<double>(glass.find("internal_transmittance")->data) == Approx(0.5));
+    CHECK(shell.run("glass special") == 3);
+    CHECK(shell.run("glass N-BK77") == 3);
+    CHECK(shell.text("err.txt").find("did you mean 'SCHOTT:N-BK7'") != std::string::npos);
+    CHECK(shell.run("glass N-BK7 --at nan") == 2);
+    CHECK(shell.run("glass N-BK7 --at -5") == 2);
+    CHECK(shell.run("glass --catalogue none.agf") == 3);
+}

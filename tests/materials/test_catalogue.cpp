@@ -1,5 +1,6 @@
 // The built-in catalogue: every glass against the figures its maker prints, names, absorption and metals.
 #include "materials/catalogue.h"
+#include "scene/value.h"
 #include "support/catch.h"
 
 #include <algorithm>
@@ -24,26 +25,57 @@ Medium glass(std::string const& name) {
     return *found;
 }
 
-constexpr double half_digit_nd = 0.5e-5 * 1.0001,
-                 half_digit_vd = 0.5e-2 * 1.0001; // five and two decimals are printed
+/// Half a unit of the last digit that is printed, of which there are at least `least` after the point; a
+/// little more, since the figure itself is rounded to a double.
+double half_digit(double printed, int least) {
+    std::string const text = to_json({printed, {}});
+    auto const point = text.find('.');
+    int const digits = point == text.npos ? 0 : static_cast<int>(text.size() - point - 1);
+    return 0.5 * std::pow(10.0, -std::max(digits, least)) * 1.0001;
+}
 
 } // namespace
 
-TEST_CASE("every glass of the catalogue has the index and the Abbe number that its maker prints") {
-    // BOROFLOAT 33, a float glass: n_d is printed to three decimals (checked below), and the V_d that is
-    // printed, 65.41, is not that of the coefficients, 66.04.
-    std::set<std::string> const exceptions{"BOROFLOAT33"};
+TEST_CASE("every glass has the index and the Abbe number that its maker prints, to the printed digits") {
+    // HOYA prints figures of its own that its coefficients miss by up to one and a half units of the last
+    // digit.
+    std::set<std::string> const other_nd{"SCHOTT:BOROFLOAT33", "HOYA:FDS18", "HOYA:FDS18-W"};
+    std::set<std::string> const other_vd{
+        "SCHOTT:BOROFLOAT33", // a float glass: the V_d that is printed is 65.41, that of the
+                              // coefficients 66.04
+        "SCHOTT:SF6G05",      // a filter glass, whose formula begins at 460 nm, close to the F line
+        "HOYA:BACED5", "HOYA:BAF10", "HOYA:FC5", "HOYA:FCD10A", "HOYA:FCD505", "HOYA:FCD515", "HOYA:FF5",
+        "HOYA:LAC9", "HOYA:M-NBFD10", "HOYA:M-PCD4", "HOYA:M-TAF1", "HOYA:MC-FCD1-M20", "HOYA:MC-PCD4-40",
+        "HOYA:MC-TAF1", "HOYA:MC-TAF31-15", "HOYA:MC-TAFD51-50", "HOYA:MP-FCD1-M20", "HOYA:MP-PCD4-40",
+        "HOYA:MP-TAF31-15", "HOYA:MP-TAFD51-50", "HOYA:NBFD10", "HOYA:NBFD3", "HOYA:TAC6", "HOYA:TAFD30"};
+    std::set<std::string> wrong_nd, wrong_vd;
     int checked = 0;
     for (GlassEntry const& entry : glass_catalogue()) {
-        if (entry.nd == 0.0 || exceptions.count(entry.name) > 0)
+        if (entry.nd == 0.0)
             continue;
         CAPTURE(entry.maker, entry.name);
-        CHECK(std::abs(index_at(entry.medium, 587.5618) - entry.nd) <= half_digit_nd);
-        CHECK(std::abs(abbe_number(entry.medium) - entry.vd) <= half_digit_vd);
+        double const off_nd = std::abs(index_at(entry.medium, 587.5618) - entry.nd),
+                     off_vd = std::abs(abbe_number(entry.medium) - entry.vd);
+        if (off_nd > half_digit(entry.nd, 5))
+            wrong_nd.insert(entry.full_name());
+        if (off_vd > half_digit(entry.vd, 2))
+            wrong_vd.insert(entry.full_name());
+        CHECK((off_nd < 1e-5 || entry.name == "BOROFLOAT33"));
+        CHECK((off_vd < 1e-2 || entry.name == "BOROFLOAT33"));
         ++checked;
     }
-    CHECK(checked >= 25);
-    CHECK(std::abs(index_at(glass("BOROFLOAT33"), 587.5618) - 1.471) <= 0.5e-3);
+    CHECK(checked == 1075);
+    CHECK(wrong_nd == other_nd);
+    CHECK(wrong_vd == other_vd);
+    CHECK(std::abs(index_at(glass("BOROFLOAT33"), 587.5618) - 1.471) <= 0.5e-3); // three decimals are printed
+}
+
+TEST_CASE("glasses whose maker prints no index have none to compare with") {
+    std::set<std::string> without;
+    for (GlassEntry const& entry : glass_catalogue())
+        if (entry.nd == 0.0 && entry.maker != "other")
+            without.insert(entry.full_name());
+    CHECK(without == std::set<std::string>{"SCHOTT:ZERODUR", "SCHOTT:LF7"});
 }
 
 TEST_CASE("crystals and fluids and plastics have the indices of the literature") {
@@ -54,9 +86,9 @@ TEST_CASE("crystals and fluids and plastics have the indices of the literature")
     CHECK(index_at(glass("diamond"), 587.5618) == Approx(2.4175).margin(5e-5));
     CHECK(index_at(glass("sapphire-o"), 587.5618) == Approx(1.7682).margin(5e-5));
     CHECK(index_at(glass("pmma"), 587.5618) == Approx(1.491).margin(1e-3));
-    // Tilton and Taylor 1938: 1.33299 relative to air at the D lines and 20 °C; the formula of Daimon and
-    // Masumura 2007, entered as it is printed, is higher by the index of air.
-    CHECK(index_at(glass("water"), 589.29) == Approx(1.33299 * 1.00027).margin(1.5e-5));
+    // Tilton and Taylor 1938: 1.33299 relative to air at the D lines and 20 °C. The formula, by Daimon and
+    // Masumura 2007, is of other water and says 1.33298; its error is 7e-6.
+    CHECK(index_at(glass("water"), 589.29) == Approx(1.33299).margin(2e-5));
 }
 
 TEST_CASE("glasses are found by name and by maker whatever the case of the letters") {
@@ -69,12 +101,35 @@ TEST_CASE("glasses are found by name and by maker whatever the case of the lette
         CHECK_FALSE(find_glass(absent).has_value());
 }
 
-TEST_CASE("every name that the catalogue lists is found and is listed once") {
-    auto const names = glass_names();
-    CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
-    for (std::string const& name : names)
-        CHECK(glass(name).name == name);
-    CHECK(std::count(names.begin(), names.end(), "air") == 1);
+TEST_CASE("a name that two makers share is found by its maker only, and both are told") {
+    CHECK_FALSE(find_glass("F2").has_value());
+    CHECK(index_at(glass("SCHOTT:F2"), 587.5618) == Approx(1.62004).margin(5e-6));
+    CHECK(index_at(glass("cdgm:f2"), 587.5618) == Approx(1.61293).margin(5e-6));
+    auto const both = glasses_called(glass_catalogue(), "f2");
+    REQUIRE(both.size() == 2);
+    CHECK(both[0]->full_name() == "SCHOTT:F2");
+    CHECK(both[1]->full_name() == "CDGM:F2");
+}
+
+TEST_CASE("a misspelt name has those near it for candidates") {
+    using Names = std::vector<std::string>;
+    CHECK(similar_glasses(glass_catalogue(), "NBK7", 1) == Names{"SCHOTT:N-BK7"});
+    CHECK(similar_glasses(glass_catalogue(), "SCHOT:N-SF11", 1) == Names{"SCHOTT:N-SF11"});
+    CHECK(similar_glasses(glass_catalogue(), "saphire-o", 1) == Names{"other:sapphire-o"});
+    Names const lasf = similar_glasses(glass_catalogue(), "lasf4", 3);
+    CHECK(lasf == Names{"SCHOTT:N-LASF40", "SCHOTT:N-LASF41", "SCHOTT:N-LASF43"});
+    CHECK(similar_glasses({}, "N-BK7").empty());
+}
+
+TEST_CASE("every full name of the catalogue means one glass") {
+    std::set<std::string> names;
+    for (GlassEntry const& entry : glass_catalogue()) {
+        CAPTURE(entry.full_name());
+        CHECK(names.insert(entry.full_name()).second);
+        auto const found = glasses_called(glass_catalogue(), entry.full_name());
+        CHECK((found.size() == 1 && found.front() == &entry));
+    }
+    CHECK(names.size() == 1090); // 1088 of the tables, air and vacuum
     CHECK(metal_names().size() == 4);
     for (std::string const& name : metal_names())
         CHECK(find_metal(name).has_value());
