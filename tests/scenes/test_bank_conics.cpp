@@ -47,10 +47,9 @@ TEST_CASE("a paraboloid sends every ray along its axis through the focus, by one
     Run const run = bench::run(mirror(2.0 * f, -1.0, 400.0, 0.0) + rays(list), {"trace.max_depth=1"});
     for (std::size_t i = 0; i < list.size(); ++i) {
         Segment const back = branch(rows_of(run, i), {Event::reflected});
-        dvec3 const across = list[i][0] * dvec3(1.0, 1.0, 0.0);
         std::string const key = text("ray", i, "_");
         agrees(c, key + "hit_z_mm", 1e3 * back.origin.z);
-        agrees(c, key + "dirx", dot(back.direction, across) / length(across));
+        agrees(c, key + "dirx", back.direction.x);
         agrees(c, key + "dirz", back.direction.z);
         dvec3 const to_focus = dvec3(0.0, 0.0, f) - 1e3 * back.origin;
         agrees(c, key + "path_mm", start - 1e3 * back.origin.z + dot(to_focus, back.direction));
