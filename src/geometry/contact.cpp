@@ -33,6 +33,24 @@ std::optional<double> scale_of(dmat3 const& m) {
     return std::sqrt(squared);
 }
 
+Revolved scaled(Revolved form, double scale) {
+    form.curvature /= scale;
+    double power = scale;
+    for (double& term : form.terms)
+        term /= power *= scale * scale;
+    return form;
+}
+
+/// Do two surfaces with one vertex rise alike, along axes that agree or oppose, up to `reach` from it?
+bool rise_alike(Revolved const& a, Revolved const& b, double sense, double reach, double allowed) {
+    double const end = std::min({reach, a.reach(), b.reach()});
+    constexpr int steps = 16;
+    for (int i = 1; i <= steps; ++i)
+        if (!(std::abs(a.sag(end * i / steps) - sense * b.sag(end * i / steps)) <= allowed))
+            return false;
+    return true;
+}
+
 } // namespace
 
 std::optional<Carrier> seen_through(Carrier const& carrier, Affine const& map) {
@@ -55,6 +73,14 @@ std::optional<Carrier> seen_through(Carrier const& carrier, Affine const& map) {
                                                   *scale * tube.radius})
                              : std::nullopt;
             },
+            [&](RevolvedCarrier const& sheet) {
+                auto const scale = scale_of(map.linear);
+                return scale ? Result(RevolvedCarrier{map.point(sheet.vertex),
+                                                      normalize(map.vector(sheet.axis)),
+                                                      scaled(sheet.form, *scale)})
+                             : std::nullopt;
+            },
+            [&](NoCarrier const&) { return Result(); },
         },
         carrier);
 }
@@ -65,9 +91,24 @@ Carrier carrier_of(Region const& region) {
         return PlaneCarrier{region.a, region.b};
     case Region::Kind::tube:
         return TubeCarrier{dvec3(0.0), dvec3(0.0, 0.0, 1.0), region.b};
+    case Region::Kind::sheet:
+        return carrier_of(*region.sheet, region.a);
+    case Region::Kind::quadric:
+    case Region::Kind::block:
+        return NoCarrier{};
     default:
         return SphereCarrier{region.a, region.b};
     }
+}
+
+/// That of a sphere or a plane is theirs, whatever shape it belongs to.
+Carrier carrier_of(RevolvedSheet const& sheet, dvec3 const& vertex) {
+    Revolved const& form = sheet.form();
+    if (form.terms.empty() && form.curvature == 0.0)
+        return PlaneCarrier{{0.0, 0.0, 1.0}, vertex.z};
+    if (form.terms.empty() && form.conic == 0.0)
+        return SphereCarrier{vertex + dvec3(0.0, 0.0, 1.0 / form.curvature), std::abs(1.0 / form.curvature)};
+    return RevolvedCarrier{vertex, {0.0, 0.0, 1.0}, form};
 }
 
 Carrier sheet_carrier() {
@@ -105,6 +146,14 @@ bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& oth
                                      length(cross(a.axis, between)) <= allowed &&
                                      std::abs(a.radius - b.radius) <= allowed;
                           },
+                          [&](RevolvedCarrier const& a) {
+                              auto const& b = std::get<RevolvedCarrier>(*seen);
+                              double const sense = dot(a.axis, b.axis) < 0.0 ? -1.0 : 1.0;
+                              return length(a.vertex - b.vertex) <= distance &&
+                                     length(a.axis - sense * b.axis) * reach <= distance &&
+                                     rise_alike(a.form, b.form, sense, reach, distance);
+                          },
+                          [](NoCarrier const&) { return false; },
                       },
                       one);
 }

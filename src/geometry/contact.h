@@ -3,6 +3,7 @@
 // however small, stays a gap.
 #pragma once
 
+#include "geometry/revolved.h"
 #include "geometry/shape.h"
 #include "geometry/solid.h"
 
@@ -26,9 +27,15 @@ struct TubeCarrier {
     dvec3 point, axis; // unit axis
     double radius;
 };
-using Carrier = std::variant<PlaneCarrier, SphereCarrier, TubeCarrier>;
+struct RevolvedCarrier {
+    dvec3 vertex, axis; // unit axis
+    Revolved form;
+};
+struct NoCarrier {}; // of a face that is found in contact with no other: a general quadric, several caps
+using Carrier = std::variant<PlaneCarrier, SphereCarrier, TubeCarrier, RevolvedCarrier, NoCarrier>;
 
 Carrier carrier_of(Region const& region);
+Carrier carrier_of(RevolvedSheet const& sheet, dvec3 const& vertex);
 Carrier sheet_carrier(); // z = 0
 
 /// Do two carriers, each seen through the map to the world of its shape, coincide to within the rounding of

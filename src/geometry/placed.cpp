@@ -10,6 +10,7 @@ namespace {
 
 using Tree = std::shared_ptr<MeshTree const>;
 using Sheet = std::shared_ptr<MeshSheet const>;
+using Curved = std::shared_ptr<RevolvedSheet const>;
 
 /// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the
 /// world and back, and solving for t, round some ten times each; the rest is margin.
@@ -57,6 +58,14 @@ Placed place(PlacedGeometry geometry, Tree tree, Sheet sheet) {
             return sheet;
         }
         Shape const& shape = std::get<Shape>(geometry.geometry);
+        if (auto const* const mirror = std::get_if<ConicMirror>(&shape)) {
+            double const h = 0.5 * mirror->diameter;
+            auto curved =
+                std::make_shared<RevolvedSheet const>(form_of(*mirror), h, 0.5 * mirror->hole_diameter);
+            auto const [low, high] = curved->heights();
+            box = {{-h, -h, low}, {h, h, high}};
+            return curved;
+        }
         if (is_open(shape)) {
             box = sheet_box(shape);
             return shape;
@@ -141,6 +150,21 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 }
                 return answer.contradiction;
             },
+            [&](Curved const& curved) {
+                for (auto const& root : curved->roots(ray.origin, ray.direction, ray.rounding, false)) {
+                    double const blur = std::min(ray.rounding / root.slope, curved->aperture());
+                    if (root.t > reach.to)
+                        break;
+                    // where the ray starts on it, it goes away from the side that it is on
+                    bool const left = std::abs(root.t) <= blur && above && *above == root.rises;
+                    if (left || root.t < reach.from - blur ||
+                        !curved->covers(ray.origin + root.t * ray.direction))
+                        continue;
+                    found = Candidate{root.t, blur, 0, 0, -1, {}, {}, true, !root.rises};
+                    break;
+                }
+                return INFINITY + 0.0;
+            },
             [&](Sheet const& sheet) {
                 if (auto const m = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
                     found = Candidate{m->t,
@@ -179,34 +203,40 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
         if (!into.on.full())
             into.on.push_back({index, above});
     };
-    std::visit(Overloaded{
-                   [&](Shape const& sheet) {
-                       if (std::abs(ray.origin.z) <= ray.rounding &&
-                           covers(sheet, ray.origin.x, ray.origin.y))
-                           on(ray.direction.z > 0.0);
-                   },
-                   [&](Sheet const& sheet) {
-                       if (auto const above = sheet->heads_above(ray.origin, ray.direction, ray.rounding))
-                           on(*above);
-                   },
-                   [&](Solid const& solid) {
-                       if (solid.inside(ray.origin, ray.direction, 0.0, ray.rounding))
-                           in(0);
-                   },
-                   [&](Tree const& tree) {
-                       std::vector<bool> const states = tree->inside(ray.origin, ray.direction, ray.rounding);
-                       for (std::uint32_t shell = 0; shell < states.size(); ++shell)
-                           if (states[shell])
-                               in(shell);
-                   },
-               },
-               met_by);
+    std::visit(
+        Overloaded{
+            [&](Shape const& sheet) {
+                if (std::abs(ray.origin.z) <= ray.rounding && covers(sheet, ray.origin.x, ray.origin.y))
+                    on(ray.direction.z > 0.0);
+            },
+            [&](Curved const& curved) {
+                if (std::abs(curved->distance(ray.origin)) <= ray.rounding && curved->covers(ray.origin))
+                    on(dot(curved->normal(ray.origin), ray.direction) > 0.0);
+            },
+            [&](Sheet const& sheet) {
+                if (auto const above = sheet->heads_above(ray.origin, ray.direction, ray.rounding))
+                    on(*above);
+            },
+            [&](Solid const& solid) {
+                if (solid.inside(ray.origin, ray.direction, 0.0, ray.rounding))
+                    in(0);
+            },
+            [&](Tree const& tree) {
+                std::vector<bool> const states = tree->inside(ray.origin, ray.direction, ray.rounding);
+                for (std::uint32_t shell = 0; shell < states.size(); ++shell)
+                    if (states[shell])
+                        in(shell);
+            },
+        },
+        met_by);
 }
 
 bool Placed::lies_at(dvec3 const& point) const {
     LocalRay const ray = local(point, dvec3(0.0));
     if (Sheet const* const sheet = std::get_if<Sheet>(&met_by))
         return (*sheet)->heads_above(ray.origin, ray.direction, ray.rounding).has_value();
+    if (Curved const* const curved = std::get_if<Curved>(&met_by))
+        return std::abs((*curved)->distance(ray.origin)) <= ray.rounding;
     return std::abs(ray.origin.z) <= ray.rounding;
 }
 
@@ -238,6 +268,7 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                        facet = normal = {0.0, 0.0, 1.0};
                    },
                    [&](Solid const& solid) { facet = normal = solid.settle(candidate.face, point); },
+                   [&](Curved const& curved) { facet = normal = curved->settle(point); },
                    [&](auto const& tree_or_sheet) {
                        auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
                        facet = candidate.normal;
@@ -288,6 +319,8 @@ std::uint32_t Placed::face_count() const {
 Carrier Placed::carrier(std::uint32_t face) const {
     if (Solid const* const solid = std::get_if<Solid>(&met_by))
         return carrier_of(solid->regions()[face]);
+    if (Curved const* const curved = std::get_if<Curved>(&met_by))
+        return carrier_of(**curved, dvec3(0.0));
     return sheet_carrier();
 }
 

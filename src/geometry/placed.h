@@ -5,6 +5,7 @@
 #include "geometry/contact.h"
 #include "geometry/mesh_sheet.h"
 #include "geometry/mesh_tree.h"
+#include "geometry/revolved.h"
 #include "geometry/sheet.h"
 #include "geometry/solid.h"
 
@@ -28,8 +29,9 @@ struct Candidate {
 
 struct Placed {
     PlacedGeometry geometry;
-    std::variant<Shape, Solid, std::shared_ptr<MeshTree const>, std::shared_ptr<MeshSheet const>>
-        met_by; // a Shape here is open
+    std::variant<Shape, Solid, std::shared_ptr<MeshTree const>, std::shared_ptr<MeshSheet const>,
+                 std::shared_ptr<RevolvedSheet const>>
+        met_by; // a Shape here is open and flat
     Affine to_local;
     bool moved = false;    // to_world is not the identity
     double rounding = 0.0; // m, local: at a start near the geometry's own origin; grows with distance

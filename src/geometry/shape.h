@@ -4,10 +4,12 @@
 
 #include "math/vec.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace sahl {
 
@@ -20,16 +22,33 @@ struct Box { // faces: left −x, right, bottom −y, top, back −z, front
 struct Cylinder { // faces: side, back −z, front
     double radius, length;
 };
+struct Cone { // or a part of one: radius at −z, top_radius at +z, either may be 0; faces: side, back −z,
+              // front
+    double radius, top_radius, length;
+};
 /// The first vertex at the origin, light along +z; a radius is signed as in optics, 0 is a plane.
 /// faces: front, back, edge
 struct Lens {
     double r1, r2, thickness, diameter;
+    double conic1 = 0.0, conic2 = 0.0;
+    std::vector<double> aspheric1 = {}, aspheric2 = {}; // coefficients of r⁴ in m⁻³, r⁶ in m⁻⁵, …
 };
 /// Isosceles: two faces of `side` meet at the apex edge, which runs along z at the top (+y); centred by its
 /// bounding box. faces: left −x, right, base, near −z, far
 struct Prism {
     double apex; // rad, (0, π)
     double side, length;
+};
+/// A cube's corner at the origin, its edges of `side` along +x, +y, +z, closed by the triangle through their
+/// ends. faces: x, y, z (where that coordinate is 0), front
+struct CornerCube {
+    double side;
+};
+/// What lies within the box of size `clip` about the origin where xᵀAx + bᵀx + c ≤ 0, x in m; coefficients of
+/// xx, yy, zz, xy, xz, yz, x, y, z, 1. faces: surface, caps (the box's)
+struct QuadricBody {
+    std::array<double, 10> coefficients;
+    dvec3 clip;
 };
 
 struct Plane {};   // z = 0, without end; face: surface
@@ -39,8 +58,14 @@ struct Rectangle { // z = 0; face: surface
 struct Disk { // z = 0; face: surface
     double radius, hole_radius = 0.0;
 };
+/// A conic of revolution with its vertex at the origin; a positive radius: the centre is at +z, 0 is a plane.
+/// face: surface
+struct ConicMirror {
+    double radius, conic, diameter, hole_diameter = 0.0;
+};
 
-using Shape = std::variant<Sphere, Box, Cylinder, Lens, Prism, Plane, Rectangle, Disk>;
+using Shape = std::variant<Sphere, Box, Cylinder, Lens, Prism, Plane, Rectangle, Disk, Cone, CornerCube,
+                           QuadricBody, ConicMirror>;
 
 /// An open shape has no inside, and needs a surface.
 bool is_open(Shape const& shape);

@@ -1,6 +1,8 @@
 #include "geometry/solid.h"
 
+#include "geometry/quadric.h"
 #include "geometry/region.h"
+#include "geometry/revolved.h"
 #include "math/overloaded.h"
 
 #include <algorithm>
@@ -28,10 +30,10 @@ Region sheet(double vertex, double radius, double side, double opposite_vertex) 
     return {ball_is_enough ? Kind::ball : Kind::dome, {0.0, 0.0, centre}, std::abs(radius), side};
 }
 
-double sag(double radius, double h) {
-    return radius == 0.0
-               ? 0.0
-               : h * h / (radius * (1.0 + std::sqrt(std::max(0.0, 1.0 - (h / radius) * (h / radius)))));
+Region with(Quadric const* quadric, dvec3 const& origin) {
+    Region region{Kind::quadric, origin, 0.0, 0.0};
+    region.quadric = quadric;
+    return region;
 }
 
 } // namespace
@@ -61,13 +63,49 @@ Solid::Solid(Shape const& shape) {
                        add(half_space({0.0, 0.0, -1.0}, high_.z));
                        add(half_space({0.0, 0.0, 1.0}, high_.z));
                    },
+                   [&](Cone const& s) {
+                       double const h = std::max(s.radius, s.top_radius);
+                       high_ = {h, h, 0.5 * s.length};
+                       low_ = -high_;
+                       double const widening = (s.top_radius - s.radius) / s.length;
+                       double const apex = -0.5 * (s.top_radius + s.radius) / widening;
+                       if (widening == 0.0)
+                           add({Kind::tube, dvec3(0.0), s.radius, 0.0});
+                       else
+                           add(with(keep(cone_quadric(widening, -apex)), {0.0, 0.0, apex}));
+                       add(half_space({0.0, 0.0, -1.0}, high_.z));
+                       add(half_space({0.0, 0.0, 1.0}, high_.z));
+                   },
+                   [&](CornerCube const& s) {
+                       high_ = dvec3(s.side);
+                       for (int axis = 0; axis < 3; ++axis) {
+                           dvec3 normal(0.0);
+                           normal[axis] = -1.0;
+                           add(half_space(normal, 0.0));
+                       }
+                       double const third = 1.0 / std::sqrt(3.0);
+                       add(half_space(dvec3(third), third * s.side));
+                   },
+                   [&](QuadricBody const& s) {
+                       high_ = 0.5 * s.clip;
+                       low_ = -high_;
+                       add(with(keep(quadric_of(s)), dvec3(0.0)));
+                       add({Kind::block, high_, 0.0, 0.0});
+                   },
                    [&](Lens const& s) {
                        double const h = 0.5 * s.diameter;
-                       double const front_rim = sag(s.r1, h), back_rim = s.thickness + sag(s.r2, h);
-                       low_ = {-h, -h, std::min(0.0, front_rim)};
-                       high_ = {h, h, std::max(s.thickness, back_rim)};
-                       add(sheet(0.0, s.r1, 1.0, high_.z));
-                       add(sheet(s.thickness, s.r2, -1.0, low_.z));
+                       RevolvedSheet const front(front_of(s), h), back(back_of(s), h);
+                       low_ = {-h, -h, front.heights().first};
+                       high_ = {h, h, s.thickness + back.heights().second};
+                       auto const add_sheet = [&](RevolvedSheet const& surface, double vertex, double radius,
+                                                  double side, double opposite) {
+                           bool const sphere = surface.form().conic == 0.0 || radius == 0.0;
+                           add(sphere && surface.form().terms.empty()
+                                   ? sheet(vertex, radius, side, opposite)
+                                   : Region{Kind::sheet, {0.0, 0.0, vertex}, 0.0, side, keep(surface)});
+                       };
+                       add_sheet(front, 0.0, s.r1, 1.0, high_.z);
+                       add_sheet(back, s.thickness, s.r2, -1.0, low_.z);
                        add({Kind::tube, dvec3(0.0), h, 0.0});
                    },
                    [&](Prism const& s) {
@@ -85,8 +123,21 @@ Solid::Solid(Shape const& shape) {
                    [](auto const&) { assert(false && "an open shape is not a solid"); },
                },
                shape);
-    convex_ = std::none_of(regions_.begin(), regions_.end(),
-                           [](Region const& r) { return r.kind == Kind::dome || r.kind == Kind::bowl; });
+    convex_ = std::none_of(regions_.begin(), regions_.end(), [](Region const& r) {
+        return r.kind == Kind::dome || r.kind == Kind::bowl || has_own_chords(r);
+    });
+}
+
+RevolvedSheet const* Solid::keep(RevolvedSheet sheet) {
+    auto const kept = std::make_shared<RevolvedSheet const>(std::move(sheet));
+    kept_.push_back(kept);
+    return kept.get();
+}
+
+Quadric const* Solid::keep(Quadric const& quadric) {
+    auto const kept = std::make_shared<Quadric const>(quadric);
+    kept_.push_back(kept);
+    return kept.get();
 }
 
 namespace {
@@ -161,7 +212,9 @@ Solid::Crossings Solid::all(dvec3 const& origin, dvec3 const& direction, double 
             else
                 borders.insert_sorted({chord.enter, chord.slope, face, true}, earlier);
             if (chord.leave < INFINITY)
-                borders.insert_sorted({chord.leave, chord.slope, face, false}, earlier);
+                borders.insert_sorted(
+                    {chord.leave, chord.leave_slope < 0.0 ? chord.slope : chord.leave_slope, face, false},
+                    earlier);
         }
     }
     Crossings crossings;

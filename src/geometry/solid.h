@@ -8,9 +8,14 @@
 #include "math/vec.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace sahl {
+
+class RevolvedSheet;
+struct Quadric;
 
 /// One face's region {x: inside}. `a` is a unit normal (half space) or a centre; `b` an offset or a radius.
 struct Region {
@@ -20,11 +25,16 @@ struct Region {
         tube,       // x² + y² ≤ b²
         dome,       // ball ∪ {side (z − a.z) ≥ 0}: behind a convex sheet
         bowl,       // {side (z − a.z) ≥ 0} \ ball: behind a hollow sheet
+        sheet,      // side (z − a.z) ≥ side · the sheet's height
+        quadric,    // of x − a
+        block,      // |x|, |y|, |z| ≤ a.x, a.y, a.z
     };
     Kind kind = Kind::half_space;
     dvec3 a{0.0};
     double b = 0.0;
     double side = 0.0;
+    RevolvedSheet const* sheet = nullptr; // the solid keeps it
+    Quadric const* quadric = nullptr;
 };
 
 /// Where a line crosses the surface. `slope` is |n·d|: the distance to the surface changes by slope per unit
@@ -64,10 +74,14 @@ class Solid {
     InlineVector<Region, 6> const& regions() const { return regions_; }
 
   private:
-    using Crossings = InlineVector<SolidCrossing, 12>;
+    using Crossings = InlineVector<SolidCrossing, 48>;
     Crossings all(dvec3 const& origin, dvec3 const& direction, double rounding) const;
 
+    RevolvedSheet const* keep(RevolvedSheet sheet);
+    Quadric const* keep(Quadric const& quadric);
+
     InlineVector<Region, 6> regions_; // by face number
+    std::vector<std::shared_ptr<void const>> kept_;
     bool convex_ = true;
     dvec3 low_{0.0}, high_{0.0};
 };

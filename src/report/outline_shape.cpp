@@ -1,5 +1,6 @@
 // In: an exact shape, where it stands, and a view. Out: its outline in that view: silhouette, edges, rims,
 // profile.
+#include "geometry/revolved.h"
 #include "math/overloaded.h"
 #include "report/outline.h"
 
@@ -153,15 +154,47 @@ struct Pen {
         ring(back);
         ring(front);
     }
+    void draw(Cone const& s) {
+        Polyline const back = circle(-0.5 * s.length, s.radius), front = circle(0.5 * s.length, s.top_radius);
+        Polyline all = back;
+        all.insert(all.end(), front.begin(), front.end());
+        out.area.push_back(hull(std::move(all)));
+        for (auto const& [rim, radius] : {std::pair(back, s.radius), std::pair(front, s.top_radius)})
+            if (radius > 0.0)
+                ring(rim);
+    }
+    void draw(CornerCube const& s) {
+        std::vector<dvec3> const c{{0, 0, 0}, {s.side, 0, 0}, {0, s.side, 0}, {0, 0, s.side}};
+        out.area.push_back(hull(at(c)));
+        for (std::size_t i = 0; i < c.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                line({c[i], c[j]});
+    }
+    void draw(QuadricBody const& s) { // its box: the surface within has no simple silhouette
+        draw(Box{s.clip});
+    }
+    void draw(ConicMirror const& s) {
+        double const h = 0.5 * s.diameter;
+        Revolved const form = form_of(s);
+        Polyline rim = circle(form.sag(h), h);
+        ring(rim);
+        if (s.hole_diameter > 0.0)
+            ring(circle(form.sag(0.5 * s.hole_diameter), 0.5 * s.hole_diameter));
+        dvec3 const side = sideways();
+        for (double const sign : {-1.0, 1.0}) {
+            std::vector<dvec3> profile;
+            constexpr int parts = 24;
+            for (int i = 0; i <= parts; ++i) {
+                double const r = 0.5 * s.hole_diameter + (h - 0.5 * s.hole_diameter) * i / parts;
+                profile.push_back(side * (sign * r) + dvec3(0, 0, form.sag(r)));
+            }
+            line(std::move(profile));
+        }
+    }
     void draw(Lens const& s) {
         double const h = 0.5 * s.diameter;
-        auto const sag =
-            [](double radius,
-               double r) { // height above the vertex; the sphere as a root that holds for a plane
-                double const c = radius == 0.0 ? 0.0 : 1.0 / radius;
-                return c * r * r / (1.0 + std::sqrt(std::max(0.0, 1.0 - c * c * r * r)));
-            };
-        for (double const z : {sag(s.r1, h), s.thickness + sag(s.r2, h)}) {
+        Revolved const front = front_of(s), back = back_of(s);
+        for (double const z : {front.sag(h), s.thickness + back.sag(h)}) {
             Polyline rim = circle(z, h);
             ring(rim);
             out.area.push_back(counterclockwise(std::move(rim)));
@@ -170,9 +203,10 @@ struct Pen {
         std::vector<dvec3> profile;
         constexpr int half = 24;
         for (int i = -half; i <= half; ++i)
-            profile.push_back(side * (h * i / half) + dvec3(0, 0, sag(s.r1, h * i / half)));
+            profile.push_back(side * (h * i / half) + dvec3(0, 0, front.sag(h * std::abs(i) / half)));
         for (int i = half; i >= -half; --i)
-            profile.push_back(side * (h * i / half) + dvec3(0, 0, s.thickness + sag(s.r2, h * i / half)));
+            profile.push_back(side * (h * i / half) +
+                              dvec3(0, 0, s.thickness + back.sag(h * std::abs(i) / half)));
         closed(std::move(profile));
     }
     void draw(Plane const&) {
@@ -230,6 +264,16 @@ std::vector<dvec3> box_corners(Shape const& shape) {
                        [](Prism const& s) {
                            return dvec3(s.side * std::sin(0.5 * s.apex),
                                         0.5 * s.side * std::cos(0.5 * s.apex), 0.5 * s.length);
+                       },
+                       [](Cone const& s) {
+                           double const h = std::max(s.radius, s.top_radius);
+                           return dvec3(h, h, 0.5 * s.length);
+                       },
+                       [](CornerCube const& s) { return dvec3(s.side); },
+                       [](QuadricBody const& s) { return 0.5 * s.clip; },
+                       [](ConicMirror const& s) {
+                           double const h = 0.5 * s.diameter;
+                           return dvec3(h, h, std::abs(form_of(s).sag(h)));
                        },
                        [](Plane const&) { return dvec3(-1.0); },
                        [](Rectangle const& s) { return dvec3(0.5 * s.size, 0.0); },

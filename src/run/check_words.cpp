@@ -80,6 +80,18 @@ std::string shape_words(Shape const& shape) {
             [](Prism const& p) {
                 return words("prism of sides of %.6g mm, %.6g mm long", p.side * 1e3, p.length * 1e3);
             },
+            [](Cone const& c) {
+                return words("cone of radii %.6g mm and %.6g mm, %.6g mm long", c.radius * 1e3,
+                             c.top_radius * 1e3, c.length * 1e3);
+            },
+            [](CornerCube const& c) { return words("corner cube of side %.6g mm", c.side * 1e3); },
+            [](QuadricBody const& q) {
+                return words("quadric within %.6g × %.6g × %.6g mm", q.clip.x * 1e3, q.clip.y * 1e3,
+                             q.clip.z * 1e3);
+            },
+            [](ConicMirror const& m) {
+                return words("conic mirror of %.6g mm, conic constant %.6g", m.diameter * 1e3, m.conic);
+            },
             [](Plane const&) { return std::string("plane"); },
             [](Rectangle const& r) {
                 return words("rectangle of %.6g × %.6g mm", r.size.x * 1e3, r.size.y * 1e3);

@@ -65,7 +65,8 @@ extern KeyTable const experiment, trace, log, limits, group, sweep, camera, ligh
 // keys_materials.cpp
 extern KeyTable const medium, sellmeier, cauchy, surface, paint;
 // keys_objects.cpp
-extern KeyTable const object, material, shape, sphere, box, cylinder, lens, prism, plane, rectangle, disk;
+extern KeyTable const object, material, shape, sphere, box, cylinder, lens, prism, plane, rectangle, disk,
+    cone, corner_cube, quadric, conic_mirror;
 // keys_light.cpp
 extern KeyTable const source, beam, profile, point, lambertian, polarisation, detector;
 } // namespace keys

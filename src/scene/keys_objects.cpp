@@ -53,10 +53,10 @@ constexpr Key shape_keys[] = {
     {"plane", Kind::table, {}, "open; z = 0 without end; face: surface"},
     {"rectangle", Kind::table, {}, "open; z = 0; face: surface"},
     {"disk", Kind::table, {}, "open; z = 0; face: surface"},
-    {"cone", Kind::table, {}, "refused in this version"},
-    {"corner_cube", Kind::table, {}, "refused in this version"},
-    {"quadric", Kind::table, {}, "refused in this version"},
-    {"conic_mirror", Kind::table, {}, "refused in this version"},
+    {"cone", Kind::table, {}, "or a part of one; faces: side, back (−z), front"},
+    {"corner_cube", Kind::table, {}, "faces: x, y, z (where that coordinate is 0), front"},
+    {"quadric", Kind::table, {}, "faces: surface, caps (where the box cuts it off)"},
+    {"conic_mirror", Kind::table, {}, "open; face: surface"},
 };
 
 constexpr Key sphere_keys[] = {{"radius_mm", Kind::number, Required{}, "", above_zero}};
@@ -71,15 +71,31 @@ constexpr Key lens_keys[] = {
     {"r2_mm", Kind::number, 0.0, "radius of the back"},
     {"thickness_mm", Kind::number, Required{}, "from vertex to vertex", above_zero},
     {"diameter_mm", Kind::number, Required{}, "of the rim", above_zero},
-    {"conic1", Kind::number, 0.0, "none but 0 in this version"},
-    {"conic2", Kind::number, 0.0, "none but 0 in this version"},
-    {"aspheric1", Kind::numbers, {}, "coefficients of r⁴ in mm⁻³, r⁶ in mm⁻⁵, …; none but 0 in this version"},
+    {"conic1", Kind::number, 0.0, "conic constant of the front: −1 a paraboloid, below it a hyperboloid"},
+    {"conic2", Kind::number, 0.0, "conic constant of the back"},
+    {"aspheric1", Kind::numbers, {}, "of the front: coefficients of r⁴ in mm⁻³, r⁶ in mm⁻⁵, …"},
     {"aspheric2", Kind::numbers, {}, "the same of the back"},
 };
 constexpr Key prism_keys[] = {
     {"apex_deg", Kind::number, Required{}, "between 0 and 180", above_zero},
     {"side_mm", Kind::number, Required{}, "of the two faces that meet at the apex edge", above_zero},
     {"length_mm", Kind::number, Required{}, "along z", above_zero},
+};
+constexpr Key cone_keys[] = {
+    {"radius_mm", Kind::number, Required{}, "at −z", not_negative},
+    {"top_radius_mm", Kind::number, 0.0, "at +z", not_negative},
+    {"length_mm", Kind::number, Required{}, "along z", above_zero},
+};
+constexpr Key corner_cube_keys[] = {{"side_mm", Kind::number, Required{}, "of its edges", above_zero}};
+constexpr Key quadric_keys[] = {
+    {"coefficients", Kind::numbers, Required{}, "ten, of xx, yy, zz, xy, xz, yz, x, y, z, 1, lengths in mm"},
+    {"clip_mm", Kind::three, Required{}, "sizes of the box, along x, y, z", above_zero},
+};
+constexpr Key conic_mirror_keys[] = {
+    {"radius_mm", Kind::number, Required{}, "at the vertex; positive has its centre at +z; 0 is a plane"},
+    {"conic", Kind::number, 0.0, "0 a sphere, −1 a paraboloid, below it a hyperboloid"},
+    {"diameter_mm", Kind::number, Required{}, "of the rim", above_zero},
+    {"hole_diameter_mm", Kind::number, 0.0, "below diameter_mm", not_negative},
 };
 constexpr Key rectangle_keys[] = {{"size_mm", Kind::two, Required{}, "along x, y", above_zero}};
 constexpr Key disk_keys[] = {
@@ -104,6 +120,17 @@ KeyTable const keys::lens{"shape lens", "The front vertex is the origin; light r
 KeyTable const keys::prism{
     "shape prism", "Isosceles; the apex edge runs along z at the top (+y); centred by its bounding box.",
     prism_keys};
+KeyTable const keys::cone{"shape cone", "Its centre is the origin, its axis z.", cone_keys};
+KeyTable const keys::corner_cube{
+    "shape corner_cube",
+    "A cube's corner at the origin, its edges along +x, +y, +z, closed by the triangle through their ends.",
+    corner_cube_keys};
+KeyTable const keys::quadric{
+    "shape quadric",
+    "What lies in a box about the origin where xᵀAx + bᵀx + c ≤ 0; the origin is that of both.",
+    quadric_keys};
+KeyTable const keys::conic_mirror{"shape conic_mirror", "Its vertex is the origin, its axis z.",
+                                  conic_mirror_keys};
 KeyTable const keys::plane{"shape plane", "It has no keys: plane = {}.", {}};
 KeyTable const keys::rectangle{"shape rectangle", "Its centre is the origin.", rectangle_keys};
 KeyTable const keys::disk{"shape disk", "Its centre is the origin.", disk_keys};

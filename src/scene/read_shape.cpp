@@ -29,25 +29,57 @@ Shape read_cylinder(Value const& table) {
 
 Shape read_lens(Value const& table) {
     Fields const fields(table, keys::lens);
-    for (auto const key : {"conic1", "conic2"})
-        if (fields.number(key) != 0.0)
-            throw InputError(fields.place(key).text(), "this version does not trace conic surfaces of lenses",
-                             "make it 0, or give the lens as a model");
-    for (auto const key : {"aspheric1", "aspheric2"}) {
-        auto const terms = fields.numbers(key);
-        if (std::any_of(terms.begin(), terms.end(), [](double term) { return term != 0.0; }))
-            throw InputError(fields.place(key).text(),
-                             "this version does not trace aspheric surfaces of lenses",
-                             "leave it out, or give the lens as a model");
-    }
-    return Lens{metres(fields.number("r1_mm")), metres(fields.number("r2_mm")),
-                metres(fields.number("thickness_mm")), metres(fields.number("diameter_mm"))};
+    auto const terms = [&](char const* key) {
+        std::vector<double> list = fields.numbers(key);
+        double power = 1e3; // mm^−(2i+1) in m^−(2i+1)
+        for (double& term : list)
+            term *= power *= 1e6;
+        return list;
+    };
+    return Lens{metres(fields.number("r1_mm")),
+                metres(fields.number("r2_mm")),
+                metres(fields.number("thickness_mm")),
+                metres(fields.number("diameter_mm")),
+                fields.number("conic1"),
+                fields.number("conic2"),
+                terms("aspheric1"),
+                terms("aspheric2")};
 }
 
 Shape read_prism(Value const& table) {
     Fields const fields(table, keys::prism);
     return Prism{fields.number("apex_deg") * (std::numbers::pi / 180.0), metres(fields.number("side_mm")),
                  metres(fields.number("length_mm"))};
+}
+
+Shape read_cone(Value const& table) {
+    Fields const fields(table, keys::cone);
+    return Cone{metres(fields.number("radius_mm")), metres(fields.number("top_radius_mm")),
+                metres(fields.number("length_mm"))};
+}
+
+Shape read_corner_cube(Value const& table) {
+    return CornerCube{metres(Fields(table, keys::corner_cube).number("side_mm"))};
+}
+
+Shape read_quadric(Value const& table) {
+    Fields const fields(table, keys::quadric);
+    auto const given = fields.numbers("coefficients");
+    QuadricBody body{{}, metres(fields.numbers("clip_mm"))};
+    if (given.size() != body.coefficients.size())
+        throw InputError(fields.place("coefficients").text(),
+                         std::to_string(given.size()) + " coefficients instead of 10",
+                         "give those of xx, yy, zz, xy, xz, yz, x, y, z, 1");
+    // lengths in m: a length in mm is a thousand times as large a number
+    for (std::size_t i = 0; i < given.size(); ++i)
+        body.coefficients[i] = given[i] * (i < 6 ? 1e6 : i < 9 ? 1e3 : 1.0);
+    return body;
+}
+
+Shape read_conic_mirror(Value const& table) {
+    Fields const fields(table, keys::conic_mirror);
+    return ConicMirror{metres(fields.number("radius_mm")), fields.number("conic"),
+                       metres(fields.number("diameter_mm")), metres(fields.number("hole_diameter_mm"))};
 }
 
 Shape read_plane(Value const& table) {
@@ -65,7 +97,7 @@ Shape read_disk(Value const& table) {
     return Disk{metres(fields.number("radius_mm")), metres(fields.number("hole_radius_mm"))};
 }
 
-constexpr std::array<std::pair<std::string_view, ReadSizes>, 8> traced{{
+constexpr std::array<std::pair<std::string_view, ReadSizes>, 12> traced{{
     {"sphere", read_sphere},
     {"box", read_box},
     {"cylinder", read_cylinder},
@@ -74,6 +106,10 @@ constexpr std::array<std::pair<std::string_view, ReadSizes>, 8> traced{{
     {"plane", read_plane},
     {"rectangle", read_rectangle},
     {"disk", read_disk},
+    {"cone", read_cone},
+    {"corner_cube", read_corner_cube},
+    {"quadric", read_quadric},
+    {"conic_mirror", read_conic_mirror},
 }};
 
 } // namespace

@@ -104,7 +104,7 @@ TEST_CASE("a start among many objects is in those that its point is in") {
     std::vector<PlacedGeometry> const geometries = scattered(dice, 40);
     Bvh const bvh(geometries);
     int wrong = 0, nested = 0;
-    for (int k = 0; k < 5000; ++k) {
+    for (int k = 0; k < 8000; ++k) {
         dvec3 const point = dice.in_box(dvec3(-0.8), dvec3(0.8));
         Bvh::Start const start = bvh.start_at(point, dice.direction());
         CHECK(start.fits);

@@ -205,22 +205,32 @@ TEST_CASE("a closed shape whose faces all have a surface needs no medium") {
               .faces.size() == 3);
 }
 
-TEST_CASE("all eight shapes are read, conics and aspheres of 0 among them") {
+TEST_CASE("every shape of the contract is read, in metres") {
     std::string text = "surface.w = {reflect = 0.5}\n";
     for (std::string const shape :
          {"sphere = {radius_mm = 1}", "box = {size_mm = [1, 2, 3]}",
           "cylinder = {radius_mm = 1, length_mm = 2}",
-          "lens = {r1_mm = 50, thickness_mm = 4, diameter_mm = 20, conic1 = 0, aspheric2 = []}",
+          "lens = {r1_mm = 50, thickness_mm = 4, diameter_mm = 20, conic1 = -2, aspheric2 = [1e-6, 2e-9]}",
           "prism = {apex_deg = 90, side_mm = 1, length_mm = 1}", "plane = {}",
-          "rectangle = {size_mm = [1, 2]}", "disk = {radius_mm = 2, hole_radius_mm = 1}"})
+          "rectangle = {size_mm = [1, 2]}", "disk = {radius_mm = 2, hole_radius_mm = 1}",
+          "cone = {radius_mm = 2, length_mm = 3}", "corner_cube = {side_mm = 2}",
+          "quadric = {coefficients = [1, 1, 1, 0, 0, 0, 2, 0, 0, -9], clip_mm = [4, 5, 6]}",
+          "conic_mirror = {radius_mm = 50, conic = -1, diameter_mm = 20}"})
         text += "[[object]]\nname = \"" + shape.substr(0, shape.find(' ')) +
                 "\"\nsurface = \"w\"\nshape = {" + shape + "}\n";
     Experiment const e = read_text(text + one_source);
-    REQUIRE(e.objects.size() == 8);
-    for (std::size_t i = 0; i < 8; ++i)
+    REQUIRE(e.objects.size() == 12);
+    for (std::size_t i = 0; i < 12; ++i)
         CHECK(std::get<Shape>(e.objects[i].what).index() == i);
     auto const& lens = std::get<Lens>(std::get<Shape>(e.objects[3].what));
     CHECK(lens.r1 == 0.05);
     CHECK(lens.r2 == 0.0);
+    CHECK(lens.conic1 == -2.0);
+    REQUIRE(lens.aspheric2.size() == 2);
+    CHECK(lens.aspheric2[0] == Approx(1e3)); // 1e-6 mm⁻³
+    CHECK(lens.aspheric2[1] == Approx(2e6)); // 2e-9 mm⁻⁵
+    auto const& quadric = std::get<QuadricBody>(std::get<Shape>(e.objects[10].what));
+    CHECK(quadric.coefficients == std::array{1e6, 1e6, 1e6, 0.0, 0.0, 0.0, 2e3, 0.0, 0.0, -9.0});
+    CHECK(quadric.clip.z == 0.006);
     CHECK(std::get<Disk>(std::get<Shape>(e.objects[7].what)).hole_radius == 0.001);
 }

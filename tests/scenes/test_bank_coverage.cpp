@@ -14,7 +14,7 @@ namespace {
 // each says how far: prism_general and ball_lens (transmittances of two surfaces), drop_order_intensities and
 // ball_flux_orders (orders from 1 on), pile_of_plates and beer_lambert_slab at an angle, fresnel_dielectric
 // beyond the critical angle and fresnel_metal (phases).
-constexpr std::array<std::string_view, 24> traced{
+constexpr std::array<std::string_view, 26> traced{
     "prism_min_deviation", "prism_general",      "sellmeier",
     "dispersing_prism",    "dove_prism",         "pellin_broca",
     "ball_lens",           "rainbow_angle",      "drop_order_intensities",
@@ -22,14 +22,13 @@ constexpr std::array<std::string_view, 24> traced{
     "multi_surface",       "pile_of_plates",     "beer_lambert_slab",
     "plate_displacement",  "fresnel_dielectric", "special_angles",
     "fresnel_metal",       "mirror_pipe",        "two_mirror_wedge",
-    "corner_cube",         "spherical_mirror",   "diffuse_fresnel"};
+    "corner_cube",         "spherical_mirror",   "diffuse_fresnel",
+    "conic_mirror",        "cartesian_refractor"};
 
 struct Out {
     std::string_view kind, reason;
 };
-constexpr std::array<Out, 3> not_traced{{
-    {"conic_mirror", "no conic mirror among the shapes: a paraboloid and an ellipsoid"},
-    {"cartesian_refractor", "a lens's conic constants are none but 0: its surface is an ellipsoid"},
+constexpr std::array<Out, 1> not_traced{{
     {"fresnel_rhomb", "all its values are phases between s and p: it needs polarised tracing"},
 }};
 
