@@ -19,11 +19,18 @@ constexpr Key source_keys[] = {
     {"file",
      Kind::text,
      {},
-     "a CSV file with the columns x, y, z, dx, dy, dz and perhaps power, relative to the experiment's file"},
+     "a CSV file with the columns x, y, z, dx, dy, dz and perhaps power, or an IES TM-25 ray file "
+     "(.tm25ray), "
+     "relative to the experiment's file"},
     {"wavelengths_nm", Kind::numbers, {}, "in standard air; neither these nor lines: 587.5618"},
     {"lines", Kind::texts, {}, "or spectral lines: i, h, g, F', F, e, d, D, C', C, r, s, t"},
     {"weights", Kind::numbers, {}, "of the wavelengths or lines; absent: all the same", above_zero},
-    {"spectrum", Kind::any, {}, "refused in this version"},
+    {"spectrum",
+     Kind::any,
+     {},
+     "or a spectrum: \"D65\", a CSV file \"lamp.csv\", or a table, see spectrum; with wavelengths_nm or "
+     "lines: "
+     "their weights"},
     {"power_W",
      Kind::number,
      {},
@@ -42,7 +49,8 @@ constexpr Key beam_keys[] = {
     {"up", Kind::three, {}, "the second axis of size_mm, and that of a fan"},
     {"radius_mm", Kind::number, {}, "a round beam; neither this nor size_mm: a single ray", not_negative},
     {"size_mm", Kind::two, {}, "or a rectangular one: across `up`, along `up`", not_negative},
-    {"pattern", Kind::text, "grid", "\"grid\", \"hexagonal\", \"random\", \"sobol\", \"fan\" or \"ring\""},
+    {"pattern", Kind::text, "grid",
+     "\"grid\", \"hexagonal\", \"random\", \"sobol\", \"fan\" \"ring\" or \"edge\""},
     {"rays", Kind::integer, 1.0, "at least this many for each wavelength", ray_count},
     {"profile", Kind::table, {}, "absent: the same irradiance everywhere"},
 };
@@ -65,6 +73,20 @@ constexpr Key lambertian_keys[] = {
     {"up", Kind::three, {}, "the second axis of size_mm"},
     {"size_mm", Kind::two, Required{}, "across `up`, along `up`", above_zero},
     {"rays", Kind::integer, Required{}, "at least this many for each wavelength", ray_count},
+};
+
+constexpr Key spectrum_keys[] = {
+    {"illuminant", Kind::text, {}, "\"D65\", daylight after CIE 15; 300 to 830 nm"},
+    {"black_body_K", Kind::number, {}, "Planck's law at this temperature", {1.0, 1e6}},
+    {"file", Kind::text, {}, "a CSV file with the columns nm and power per nm, relative to the experiment's"},
+    {"table", Kind::pairs, {}, "[[nm, power per nm], …], ascending; linear in between, 0 beyond"},
+    {"from_nm", Kind::number, {}, "where it is cut; absent: 380, or where the table begins", {10.0, 1e7}},
+    {"to_nm", Kind::number, {}, "and where above; absent: 780, or where the table ends", {10.0, 1e7}},
+    {"bins",
+     Kind::integer,
+     40.0,
+     "it is traced at the middles of this many equal bins, each with the power of its bin",
+     {1.0, 10000.0}},
 };
 
 constexpr Key polarisation_keys[] = {
@@ -94,6 +116,10 @@ KeyTable const keys::profile{"profile", "How a beam's irradiance falls off.", pr
 KeyTable const keys::point{"point", "Uniform in solid angle within a cone.", point_keys};
 KeyTable const keys::lambertian{"lambertian", "A flat rectangle that shines by the cosine law.",
                                 lambertian_keys};
+KeyTable const keys::spectrum{"spectrum",
+                              "Exactly one of illuminant, black_body_K, file and table. With wavelengths_nm "
+                              "or lines it gives their weights, and has no bins.",
+                              spectrum_keys};
 KeyTable const keys::polarisation{"polarisation", "A Stokes vector and the axis it refers to.",
                                   polarisation_keys};
 KeyTable const keys::detector{"[[detector]]", "A flat rectangle that counts light.", detector_keys};
