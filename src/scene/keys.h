@@ -67,7 +67,7 @@ extern KeyTable const medium, sellmeier, cauchy, surface, paint;
 // keys_objects.cpp
 extern KeyTable const object, material, shape, sphere, box, cylinder, lens, prism, plane, rectangle, disk;
 // keys_light.cpp
-extern KeyTable const source, beam, profile, point, lambertian, spectrum, polarisation, detector;
+extern KeyTable const source, beam, profile, point, lambertian, spectrum, polarisation, detector, far_field;
 } // namespace keys
 
 /// All of them, in the order of the reference.

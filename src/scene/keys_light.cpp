@@ -98,13 +98,45 @@ constexpr Key polarisation_keys[] = {
 constexpr Key detector_keys[] = {
     {"name", Kind::text, Required{}, "unique among objects, sources and detectors; without dots"},
     {"group", Kind::text, {}, "the group that moves it; it may turn and move, not scale"},
-    {"at_mm", Kind::three, Required{}, "its middle"},
-    {"facing", Kind::three, Required{}, "it counts light that comes against this; of any length"},
+    {"at_mm", Kind::three, {}, "its middle"},
+    {"facing", Kind::three, {}, "it counts light that comes against this; of any length"},
     {"up", Kind::three, {}, "the direction of its second axis; the first is up × facing"},
-    {"size_mm", Kind::two, Required{}, "along both axes", above_zero},
+    {"size_mm", Kind::two, {}, "a rectangle: along both axes; it needs at_mm and facing", above_zero},
+    {"sphere",
+     Kind::truth,
+     {},
+     "true: or a sphere around everything, which counts what leaves the scene; it stops nothing"},
+    {"radius_mm", Kind::number, {}, "of the sphere about at_mm; absent: at infinity", above_zero},
+    {"surface", Kind::text, {}, "or a named surface, \"lens.front\": it counts what arrives there"},
+    {"from", Kind::text, "both",
+     "light that arrives at the surface from \"outside\" its body, from \"inside\", or from \"both\" sides"},
     {"pixels", Kind::two, Repeated{2, 1.0}, "whole numbers, along both axes", {1.0, 65536.0}},
     {"absorbs", Kind::truth, true, "false: rays are counted and go on"},
     {"back", Kind::truth, false, "true counts light from behind too"},
+    {"spot", Kind::truth, false,
+     "true: the geometric encircled energy about the centroid; keeps 24 bytes of memory a hit"},
+    {"spectrum", Kind::truth, false, "true: the spectrum as a file, and the colour (CIE 1931)"},
+    {"far_field", Kind::table, {}, "the distribution over directions"},
+    {"optical_path",
+     Kind::integer,
+     {},
+     "the histogram of the optical path in this many bins; keeps 16 bytes of memory a hit",
+     {1.0, 100000.0}},
+};
+
+constexpr Key far_field_keys[] = {
+    {"axis",
+     Kind::three,
+     {},
+     "light that travels along this is at 0°; of any length; absent: against `facing`, +z without"},
+    {"up", Kind::three, {}, "the direction of azimuth 90°; azimuth 0 is up × axis"},
+    {"to_deg",
+     Kind::number,
+     {},
+     "the angle at which the last ring ends; absent: 90, of a sphere 180",
+     {0.0, 180.0, true}},
+    {"rings", Kind::integer, 90.0, "of equal angle", {1.0, 18000.0}},
+    {"sectors", Kind::integer, 1.0, "of equal azimuth in each ring", {1.0, 36000.0}},
 };
 
 } // namespace
@@ -122,6 +154,11 @@ KeyTable const keys::spectrum{"spectrum",
                               spectrum_keys};
 KeyTable const keys::polarisation{"polarisation", "A Stokes vector and the axis it refers to.",
                                   polarisation_keys};
-KeyTable const keys::detector{"[[detector]]", "A flat rectangle that counts light.", detector_keys};
+KeyTable const keys::detector{
+    "[[detector]]",
+    "A flat rectangle that counts light, a sphere around everything, or a surface of an object.",
+    detector_keys};
+KeyTable const keys::far_field{"far_field", "How much light goes where, in bins of direction.",
+                               far_field_keys};
 
 } // namespace sahl
