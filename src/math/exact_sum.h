@@ -47,6 +47,7 @@ class ExactSum {
         double const low = static_cast<double>(static_cast<std::uint64_t>(size));
         return std::ldexp(value_ < 0 ? -(high * 0x1p64 + low) : high * 0x1p64 + low, unit.exponent);
     }
+    Int128 units() const { return value_; }
     bool operator==(ExactSum const&) const = default;
 
   private:

@@ -207,6 +207,24 @@ std::vector<dvec2> ring(std::uint64_t count) {
     return points;
 }
 
+std::vector<dvec2> edge_of_rectangle(std::uint64_t count, dvec2 const& size) {
+    std::vector<dvec2> points;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        double const around = 2.0 * (size.x + size.y) * static_cast<double>(i) / static_cast<double>(count);
+        double at = around + 0.5 * size.y; // from the lower right corner
+        dvec2 corner(0.5, -0.5), along(0.0, 1.0);
+        double side = size.y;
+        for (int turn = 0; turn < 4 && at >= side; ++turn) {
+            at -= side;
+            corner += along;
+            along = {-along.y, along.x};
+            side = along.x == 0.0 ? size.y : size.x;
+        }
+        points.push_back(corner + along * (side > 0.0 ? std::min(at / side, 1.0) : 0.0));
+    }
+    return points;
+}
+
 std::vector<dvec2> fan(std::uint64_t count) {
     std::vector<dvec2> points(count, dvec2(0.0));
     double const last = static_cast<double>(count) - 1;

@@ -41,6 +41,10 @@ std::vector<dvec2> hexagonal_in_rectangle(std::uint64_t at_least, dvec2 const& s
 /// `count` points at equal steps on the unit circle, the first on the x axis.
 std::vector<dvec2> ring(std::uint64_t count);
 
+/// `count` points at equal steps along the outline of a rectangle of `size` (≥ 0, not both 0) about the
+/// origin, in units of its sides, the first in the middle of the right side, on counter-clockwise.
+std::vector<dvec2> edge_of_rectangle(std::uint64_t count, dvec2 const& size);
+
 /// `count` points at equal steps from −1 to 1 on the y axis, both ends included; an odd count includes 0, one
 /// is 0.
 std::vector<dvec2> fan(std::uint64_t count);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sahl {
 
@@ -36,13 +37,30 @@ std::optional<Spot> spot_of(Moments const& moments, SumUnit unit) {
 
 DetectorRecord::DetectorRecord(DetectorSpec const& spec, SumUnit unit, std::size_t wavelengths,
                                std::size_t sources)
-    : spec_(spec), unit_(unit), square_unit_{2 * unit.exponent + 90}, by_wavelength_(wavelengths),
-      by_source_(sources), pixels_(std::size_t{spec.columns} * spec.rows) {}
+    : spec_(spec), unit_(unit), by_wavelength_(wavelengths), by_source_(sources),
+      pixels_(spec.kind == DetectorKind::rectangle ? std::size_t{spec.columns} * spec.rows : 0),
+      scatter_(unit) {
+    if (spec.far_field)
+        far_field_.emplace(*spec.far_field, unit);
+}
 
 void DetectorRecord::add(DetectorHit const& hit) {
     all_.add(hit, unit_);
     by_wavelength_[hit.wavelength.value].add(hit, unit_);
     by_source_[hit.source.value].add(hit, unit_);
+    if (far_field_)
+        far_field_->add(hit.direction, hit.power);
+    if (spec_.spot)
+        spots_.push_back({hit.at, hit.power});
+    if (spec_.path_bins > 0)
+        paths_.emplace_back(hit.optical_path, hit.power);
+    add_to_pixel(hit);
+    scatter_.add(hit.ray, hit.power);
+}
+
+void DetectorRecord::add_to_pixel(DetectorHit const& hit) {
+    if (pixels_.empty())
+        return;
     auto const pixel = [](double at, double size, std::uint32_t count) {
         double const position = (at / size + 0.5) * count;
         return static_cast<std::size_t>(std::clamp(position, 0.0, count - 1.0));
@@ -50,15 +68,18 @@ void DetectorRecord::add(DetectorHit const& hit) {
     std::size_t const column = pixel(hit.at.x, spec_.size.x, spec_.columns);
     std::size_t const row = pixel(-hit.at.y, spec_.size.y, spec_.rows);
     pixels_[row * spec_.columns + column].add(hit.power, unit_);
-    if (ray_ != hit.ray) {
-        close_ray();
-        ray_ = hit.ray;
-        ray_power_ = 0.0;
-    }
-    ray_power_ += hit.power;
 }
 
-void DetectorRecord::close_ray() {
+void Scatter::add(std::uint64_t ray, double power) {
+    if (ray_ != ray) {
+        close_ray();
+        ray_ = ray;
+        ray_power_ = 0.0;
+    }
+    ray_power_ += power;
+}
+
+void Scatter::close_ray() {
     if (!ray_)
         return;
     auto const square = [&](double x) { squared_differences_.add(x * x, square_unit_); };
@@ -72,8 +93,8 @@ void DetectorRecord::close_ray() {
     previous_power_ = ray_power_;
 }
 
-double DetectorRecord::sigma() const {
-    DetectorRecord closed(*this);
+double Scatter::sigma() const {
+    Scatter closed(*this);
     closed.close_ray();
     return std::sqrt(0.5 * (closed.squared_differences_.value(square_unit_) +
                             closed.previous_power_ * closed.previous_power_));
@@ -90,7 +111,89 @@ std::vector<double> DetectorRecord::irradiance() const {
 
 double DetectorRecord::peak() const {
     std::vector<double> const field = irradiance();
-    return *std::max_element(field.begin(), field.end());
+    return field.empty() ? 0.0 : *std::max_element(field.begin(), field.end());
+}
+
+std::vector<double> DetectorRecord::encircled() const {
+    auto const spot = spot_of(all_, unit_);
+    if (!spot || spots_.empty())
+        return {};
+    std::vector<std::pair<double, double>> by_radius; // power may be 0
+    by_radius.reserve(spots_.size());
+    for (Spotted const& hit : spots_)
+        by_radius.emplace_back(length(hit.at - spot->centroid), hit.power);
+    std::sort(by_radius.begin(), by_radius.end());
+    std::vector<double> radii;
+    ExactSum within;
+    auto next = by_radius.begin();
+    for (int percent = 1; percent <= 100; ++percent) {
+        // within an ulp, so that 100 % is reached
+        double const wanted = spot->power * percent / 100.0 * (1.0 - 4e-16);
+        while (next != by_radius.end() && (next == by_radius.begin() || within.value(unit_) < wanted))
+            within.add((next++)->second, unit_);
+        radii.push_back((next - 1)->first);
+    }
+    return radii;
+}
+
+Histogram DetectorRecord::optical_paths() const {
+    Histogram histogram;
+    auto const spot = spot_of(all_, unit_);
+    if (!spot || paths_.empty())
+        return histogram;
+    auto const [shortest, longest] = std::minmax_element(
+        paths_.begin(), paths_.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
+    histogram.from = shortest->first;
+    histogram.to = longest->first;
+    double const width = histogram.to - histogram.from;
+    std::vector<ExactSum> bins(spec_.path_bins);
+    ExactSum squares;
+    for (auto const& [path, power] : paths_) {
+        double const place = width > 0.0 ? (path - histogram.from) / width * spec_.path_bins : 0.0;
+        bins[static_cast<std::size_t>(std::min(place, spec_.path_bins - 1.0))].add(power, unit_);
+        double const off = path - spot->mean_optical_path;
+        squares.add(power * off * off, unit_);
+    }
+    histogram.rms = std::sqrt(squares.value(unit_) / spot->power);
+    for (ExactSum const& bin : bins)
+        histogram.powers.push_back(bin.value(unit_));
+    return histogram;
+}
+
+void DirectionBins::add(dvec3 const& direction, double power) {
+    double const along = dot(direction, far_.axis);
+    double const x = dot(direction, cross(far_.up, far_.axis)), y = dot(direction, far_.up);
+    double const angle = std::atan2(std::hypot(x, y), along);
+    if (angle > far_.largest * (1.0 + 1e-15)) {
+        beyond_.add(power, unit_);
+        return;
+    }
+    double azimuth = std::atan2(y, x) / (2.0 * std::numbers::pi);
+    azimuth -= std::floor(azimuth);
+    auto const bin = [](double share, std::uint32_t count) {
+        return static_cast<std::size_t>(std::min(share * count, count - 1.0));
+    };
+    bins_[bin(angle / far_.largest, far_.rings) * far_.sectors + bin(azimuth, far_.sectors)].add(power,
+                                                                                                 unit_);
+}
+
+std::vector<double> DirectionBins::powers() const {
+    std::vector<double> powers;
+    for (ExactSum const& bin : bins_)
+        powers.push_back(bin.value(unit_));
+    return powers;
+}
+
+std::vector<double> DirectionBins::intensities() const {
+    std::vector<double> intensities = powers();
+    double const ring = far_.largest / far_.rings;
+    for (std::size_t i = 0; i < intensities.size(); ++i) {
+        std::size_t const number = i / far_.sectors;
+        double const middle = (static_cast<double>(number) + 0.5) * ring;
+        // cos a − cos b = 2 sin((a + b)/2) sin((b − a)/2)
+        intensities[i] /= 4.0 * std::numbers::pi / far_.sectors * std::sin(middle) * std::sin(0.5 * ring);
+    }
+    return intensities;
 }
 
 } // namespace sahl

@@ -32,6 +32,50 @@ struct Spot {
 };
 std::optional<Spot> spot_of(Moments const& moments, SumUnit unit);
 
+/// Powers in bins of direction. What goes further from the axis than the last ring is counted apart.
+class DirectionBins {
+  public:
+    DirectionBins(FarField const& far, SumUnit unit)
+        : far_(far), unit_(unit), bins_(std::size_t{far.rings} * far.sectors) {}
+
+    void add(dvec3 const& direction, double power);
+    FarField const& far() const { return far_; }
+    /// W by ring, from the axis on, and in it by sector, from azimuth 0 on.
+    std::vector<double> powers() const;
+    /// The same in W/sr.
+    std::vector<double> intensities() const;
+    double beyond() const { return beyond_.value(unit_); } // W
+
+  private:
+    FarField far_;
+    SumUnit unit_;
+    std::vector<ExactSum> bins_;
+    ExactSum beyond_;
+};
+
+/// Powers over equal bins of a length.
+struct Histogram {
+    double from = 0.0, to = 0.0; // m
+    double rms = 0.0;            // m, about the mean
+    std::vector<double> powers;  // W
+};
+
+/// How much the powers that rays bring differ from ray to ray.
+class Scatter {
+  public:
+    explicit Scatter(SumUnit power_unit) : square_unit_{2 * power_unit.exponent + 90} {}
+    void add(std::uint64_t ray, double power); // in the order of rays
+    double sigma() const;
+
+  private:
+    void close_ray();
+
+    SumUnit square_unit_;
+    std::optional<std::uint64_t> ray_, previous_ray_;
+    double ray_power_ = 0.0, previous_power_ = 0.0;
+    ExactSum squared_differences_;
+};
+
 class DetectorRecord {
   public:
     DetectorRecord(DetectorSpec const& spec, SumUnit unit, std::size_t wavelengths, std::size_t sources);
@@ -42,26 +86,38 @@ class DetectorRecord {
     Moments const& all() const { return all_; }
     std::vector<Moments> const& by_wavelength() const { return by_wavelength_; }
     std::vector<Moments> const& by_source() const { return by_source_; }
-    /// W/m² by pixel, row-major, the first row at the top (largest y).
+    /// W/m² by pixel, row-major, the first row at the top (largest y); empty where it is no rectangle.
     std::vector<double> irradiance() const;
     double peak() const; // W/m²
     /// Standard error of the power where branches were drawn at random: from how much neighbouring rays
     /// differ, which also counts what they differ in truth, so it does not promise too much.
-    double sigma() const;
+    double sigma() const { return scatter_.sigma(); }
     DetectorSpec const& spec() const { return spec_; }
+    SumUnit unit() const { return unit_; }
+
+    /// Where spec().spot: the radius (m) about the centroid within which 1 %, 2 %, … 100 % of the power lie.
+    /// Empty without light.
+    std::vector<double> encircled() const;
+    std::optional<DirectionBins> const& far_field() const { return far_field_; }
+    /// Where spec().path_bins: from the shortest to the longest optical path. Without light it has no bins.
+    Histogram optical_paths() const;
 
   private:
-    void close_ray();
+    void add_to_pixel(DetectorHit const& hit);
 
     DetectorSpec spec_;
-    SumUnit unit_, square_unit_;
+    SumUnit unit_;
     Moments all_;
     std::vector<Moments> by_wavelength_, by_source_;
-    std::vector<ExactSum> pixels_;
-    // the power that each ray brings, for sigma
-    std::optional<std::uint64_t> ray_, previous_ray_;
-    double ray_power_ = 0.0, previous_power_ = 0.0;
-    ExactSum squared_differences_;
+    std::vector<ExactSum> pixels_; // none but of a rectangle
+    std::optional<DirectionBins> far_field_;
+    struct Spotted {
+        dvec2 at;
+        double power;
+    };
+    std::vector<Spotted> spots_;                   // where asked for
+    std::vector<std::pair<double, double>> paths_; // optical path, power; where asked for
+    Scatter scatter_;
 };
 
 } // namespace sahl

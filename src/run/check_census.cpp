@@ -40,8 +40,13 @@ void count_start(PilotOfSource& source, StartingPlace const& start) {
 
 void count_segment(Census& census, Scene const& scene, Segment const& segment) {
     ++census.segments;
+    if (segment.ended == Event::escaped)
+        for (DetectorId const sphere : scene.sphere_detectors)
+            ++census.detectors[sphere.value].hits;
     if (segment.surface < 0)
         return;
+    for (auto const& [face, detector] : scene.surface_detectors)
+        census.detectors[detector.value].hits += static_cast<std::uint32_t>(segment.surface) == face.value;
     ObjectId const id = scene.faces[static_cast<std::size_t>(segment.surface)].body;
     census.bodies[id.value].reached = true;
     census.bodies[id.value].entered |= segment.ended == Event::refracted;

@@ -111,13 +111,20 @@ Value detectors_value(Checked const& checked) {
     for (std::size_t d = 0; d < checked.scene.detectors.size(); ++d) {
         DetectorSpec const& spec = checked.scene.detectors[d];
         PilotOfDetector const& pilot = checked.census.detectors[d];
-        detectors.emplace_back(
-            spec.name,
-            of(Table{{"size_mm", of(spec.size, 1e3)},
-                     {"pixels", of(Array{of(std::uint64_t{spec.columns}), of(std::uint64_t{spec.rows})})},
-                     {"absorbs", of(spec.absorbs)},
-                     {"pilot_hits", of(pilot.hits)},
-                     {"pilot_hits_from_behind", of(pilot.hits_from_behind)}}));
+        Table table;
+        if (spec.kind == DetectorKind::rectangle) {
+            table.emplace_back("size_mm", of(spec.size, 1e3));
+            table.emplace_back("pixels",
+                               of(Array{of(std::uint64_t{spec.columns}), of(std::uint64_t{spec.rows})}));
+            table.emplace_back("absorbs", of(spec.absorbs));
+        } else if (spec.kind == DetectorKind::sphere) {
+            table.emplace_back("sphere", of(true));
+        } else {
+            table.emplace_back("surface", of(spec.surface));
+        }
+        table.emplace_back("pilot_hits", of(pilot.hits));
+        table.emplace_back("pilot_hits_from_behind", of(pilot.hits_from_behind));
+        detectors.emplace_back(spec.name, of(std::move(table)));
     }
     return of(std::move(detectors));
 }

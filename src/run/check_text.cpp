@@ -80,9 +80,12 @@ std::string source_line(Value const& source) {
 }
 
 std::string detector_line(Value const& detector) {
-    std::string line = joined(list_at(detector, "size_mm"), " × ", "%.6g") + " mm, " +
-                       joined(list_at(detector, "pixels"), " × ", "%.0f") + " pixels, " +
-                       plural(count_at(detector, "pilot_hits"), "pilot hit", "pilot hits");
+    Value const* const surface = detector.find("surface");
+    std::string const what = detector.find("sphere") ? "what leaves the scene, "
+                             : surface ? "what arrives at " + std::get<std::string>(surface->data) + ", "
+                                       : joined(list_at(detector, "size_mm"), " × ", "%.6g") + " mm, " +
+                                             joined(list_at(detector, "pixels"), " × ", "%.0f") + " pixels, ";
+    std::string line = what + plural(count_at(detector, "pilot_hits"), "pilot hit", "pilot hits");
     if (auto const behind = count_at(detector, "pilot_hits_from_behind"))
         line += ", " + std::to_string(behind) + " from behind";
     return line;

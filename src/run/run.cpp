@@ -111,8 +111,10 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         return run;
     fs::create_directories(folder);
     for (DetectorRecord const& record : outcome.detectors)
-        run.pictures.push_back("detectors/" +
-                               write_detector_files(record, folder / "detectors", experiment.title));
+        if (std::string const picture =
+                write_detector_files(record, folder / "detectors", experiment.title, optics.wavelengths());
+            !picture.empty())
+            run.pictures.push_back("detectors/" + picture);
     write_text(folder / "summary.json", to_json(run.summary) + "\n");
     run.paths = sample_paths(run.scene, optics, emission, experiment.trace, run.rays_shown);
     return run;

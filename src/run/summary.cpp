@@ -1,5 +1,6 @@
 #include "run/summary.h"
 
+#include "optics/colour.h"
 #include "run/health_report.h"
 #include "run/values.h"
 
@@ -28,36 +29,76 @@ std::string nanometres(double wavelength) {
     return text;
 }
 
-Value figures(Moments const& moments, SumUnit unit) {
+Value figures(Moments const& moments, SumUnit unit, DetectorKind kind) {
+    bool const placed = kind != DetectorKind::sphere;
     auto const spot = spot_of(moments, unit);
     Table table{{"power_W", of(moments.power.value(unit))}, {"hits", of(moments.hits)}};
-    table.emplace_back("centroid_mm", spot ? of(spot->centroid, 1e3) : nothing());
-    table.emplace_back("rms_radius_mm", spot ? of(spot->rms_radius * 1e3) : nothing());
+    table.emplace_back("centroid_mm", spot && placed ? of(spot->centroid, 1e3) : nothing());
+    table.emplace_back("rms_radius_mm", spot && placed ? of(spot->rms_radius * 1e3) : nothing());
     table.emplace_back("mean_direction", spot ? of(spot->mean_direction) : nothing());
     table.emplace_back("mean_optical_path_mm", spot ? of(spot->mean_optical_path * 1e3) : nothing());
     return of(std::move(table));
 }
 
+/// What a detector was asked to record beyond its sums.
+void add_extras(Table& table, DetectorRecord const& record, WavelengthTable const& optics) {
+    if (record.spec().spot) {
+        std::vector<double> const radii = record.encircled();
+        Table encircled;
+        for (std::size_t const percent : {50, 80, 90, 95, 100})
+            encircled.emplace_back(std::to_string(percent),
+                                   radii.empty() ? nothing() : of(radii[percent - 1] * 1e3));
+        table.emplace_back("encircled_mm", of(std::move(encircled)));
+    }
+    if (auto const& far = record.far_field()) {
+        std::vector<double> const intensities = far->intensities();
+        table.emplace_back(
+            "far_field",
+            of(Table{{"peak_W_per_sr", of(*std::max_element(intensities.begin(), intensities.end()))},
+                     {"beyond_W", of(far->beyond())}}));
+    }
+    if (record.spec().spectrum) {
+        dvec3 xyz(0.0);
+        for (std::size_t i = 0; i < record.by_wavelength().size(); ++i)
+            xyz += record.by_wavelength()[i].power.value(record.unit()) * lumens_per_watt *
+                   colour_matching(optics.wavelengths()[i]);
+        double const sum = xyz.x + xyz.y + xyz.z;
+        table.emplace_back("colour", of(Table{{"XYZ_lm", of(xyz)},
+                                              {"xy", sum > 0.0 ? of(dvec2(xyz.x, xyz.y) / sum) : nothing()},
+                                              {"sRGB", of(srgb_of(xyz))}}));
+    }
+    if (record.spec().path_bins > 0) {
+        Histogram const paths = record.optical_paths();
+        bool const dark = paths.powers.empty();
+        table.emplace_back("optical_path", of(Table{{"shortest_mm", dark ? nothing() : of(paths.from * 1e3)},
+                                                    {"longest_mm", dark ? nothing() : of(paths.to * 1e3)},
+                                                    {"rms_mm", dark ? nothing() : of(paths.rms * 1e3)}}));
+    }
+}
+
 Value detector_figures(DetectorRecord const& record, Scene const& scene, WavelengthTable const& optics,
                        Experiment const& experiment, Tally const& tally) {
     SumUnit const unit = tally.unit;
-    Value value = figures(record.all(), unit);
+    Value value = figures(record.all(), unit, record.spec().kind);
     Table& table = std::get<Table>(value.data);
     double const power = record.all().power.value(unit);
     bool const random = experiment.trace.branch == BranchPolicy::roulette;
     double const sigma = random ? record.sigma() : 0.0;
-    Value const high = record.spec().absorbs
-                           ? of(power + tally.cut.value(unit) + tally.error.value(unit) + sigma)
-                           : nothing(); // what goes on may come back: only the low end is certain
+    DetectorSpec const& spec = record.spec();
+    bool const once = spec.absorbs || spec.kind == DetectorKind::sphere; // no light comes twice
+    Value const high = once ? of(power + tally.cut.value(unit) + tally.error.value(unit) + sigma)
+                            : nothing(); // what goes on may come back: only the low end is certain
     table.emplace_back("power_bound_W", of(Array{of(std::max(0.0, power - sigma)), high}));
     table.emplace_back("sigma_W", of(sigma));
-    table.emplace_back("peak_W_per_mm2", of(record.peak() * 1e-6));
+    table.emplace_back("peak_W_per_mm2",
+                       spec.kind == DetectorKind::rectangle ? of(record.peak() * 1e-6) : nothing());
+    add_extras(table, record, optics);
     Table by_wavelength, by_source;
     for (std::size_t i = 0; i < record.by_wavelength().size(); ++i)
         by_wavelength.emplace_back(nanometres(optics.wavelengths()[i]),
-                                   figures(record.by_wavelength()[i], unit));
+                                   figures(record.by_wavelength()[i], unit, spec.kind));
     for (std::size_t i = 0; i < record.by_source().size(); ++i)
-        by_source.emplace_back(scene.sources[i].name, figures(record.by_source()[i], unit));
+        by_source.emplace_back(scene.sources[i].name, figures(record.by_source()[i], unit, spec.kind));
     table.emplace_back("by_wavelength", of(std::move(by_wavelength)));
     table.emplace_back("by_source", of(std::move(by_source)));
     return value;

@@ -47,7 +47,7 @@ struct ObjectSpec {
     Place place;
 };
 
-enum class Pattern { grid, hexagonal, random, sobol, fan, ring };
+enum class Pattern { grid, hexagonal, random, sobol, fan, ring, edge };
 
 struct Beam {
     dvec3 from, toward, up; // toward, up: unit, orthogonal; `up` is the second axis of a size, and of a fan
@@ -88,6 +88,16 @@ struct SourceSpec {
     Place place;
 };
 
+/// Bins of direction: rings of equal angle about an axis, each in sectors of equal azimuth.
+struct FarField {
+    dvec3 axis{0.0}, up{0.0}; // unit, orthogonal, world; light that travels along `axis` is at angle 0
+    std::uint32_t rings = 90, sectors = 1;
+    double largest = 0.0; // rad, (0, π]: the angle that the last ring ends at
+};
+
+enum class DetectorKind { rectangle, sphere, surface };
+enum class ArrivesFrom { both, outside, inside }; // of a surface: the body it belongs to
+
 struct DetectorSpec {
     std::string name;
     Affine to_world;           // of the rectangle z = 0, x along its width, y along `up`, z = `facing`
@@ -97,6 +107,14 @@ struct DetectorSpec {
     bool absorbs = true;
     bool back = false; // counts light that comes from behind too
     Place place;
+    DetectorKind kind = DetectorKind::rectangle; // a sphere: what escapes; to_world holds its centre
+    double radius = 0.0;                         // m, of a sphere; 0: at infinity
+    std::string surface{};                       // face.name of what counts what arrives at it
+    ArrivesFrom from = ArrivesFrom::both;
+    // what is recorded beyond sums and pixels
+    bool spot = false, spectrum = false;
+    std::optional<FarField> far_field{};
+    std::uint32_t path_bins = 0; // of the optical path's histogram; 0: none
 };
 
 enum class BranchPolicy { split, roulette, dominant };

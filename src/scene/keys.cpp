@@ -141,14 +141,14 @@ KeyTable const keys::background{"[background]", "For pictures: what is seen wher
 
 std::span<KeyTable const* const> key_tables() {
     static constexpr KeyTable const* all[] = {
-        &keys::experiment,   &keys::medium,    &keys::sellmeier,   &keys::cauchy,  &keys::surface,
-        &keys::paint,        &keys::trace,     &keys::log,         &keys::limits,  &keys::group,
-        &keys::object,       &keys::material,  &keys::shape,       &keys::sphere,  &keys::box,
-        &keys::cylinder,     &keys::lens,      &keys::prism,       &keys::plane,   &keys::rectangle,
-        &keys::disk,         &keys::cone,      &keys::corner_cube, &keys::quadric, &keys::conic_mirror,
-        &keys::source,       &keys::beam,      &keys::profile,     &keys::point,   &keys::lambertian,
-        &keys::polarisation, &keys::detector,  &keys::sweep,       &keys::camera,  &keys::light,
-        &keys::light_point,  &keys::background};
+        &keys::experiment, &keys::medium,       &keys::sellmeier,   &keys::cauchy,    &keys::surface,
+        &keys::paint,      &keys::trace,        &keys::log,         &keys::limits,    &keys::group,
+        &keys::object,     &keys::material,     &keys::shape,       &keys::sphere,    &keys::box,
+        &keys::cylinder,   &keys::lens,         &keys::prism,       &keys::plane,     &keys::rectangle,
+        &keys::disk,       &keys::cone,         &keys::corner_cube, &keys::quadric,   &keys::conic_mirror,
+        &keys::source,     &keys::beam,         &keys::profile,     &keys::point,     &keys::lambertian,
+        &keys::spectrum,   &keys::polarisation, &keys::detector,    &keys::far_field, &keys::sweep,
+        &keys::camera,     &keys::light,        &keys::light_point, &keys::background};
     return all;
 }
 

@@ -68,7 +68,7 @@ extern KeyTable const medium, sellmeier, cauchy, surface, paint;
 extern KeyTable const object, material, shape, sphere, box, cylinder, lens, prism, plane, rectangle, disk,
     cone, corner_cube, quadric, conic_mirror;
 // keys_light.cpp
-extern KeyTable const source, beam, profile, point, lambertian, polarisation, detector;
+extern KeyTable const source, beam, profile, point, lambertian, spectrum, polarisation, detector, far_field;
 } // namespace keys
 
 /// All of them, in the order of the reference.

@@ -2,10 +2,8 @@
 #include "scene/read_sources.h"
 
 #include "math/input_error.h"
-#include "scene/read_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace sahl {
@@ -39,29 +37,6 @@ void append(RayList& list, std::vector<double> const& row, Affine const& to_worl
     list.power += row.size() == 7 ? weight : 0.0;
 }
 
-std::string_view trimmed(std::string_view text) {
-    auto const first = text.find_first_not_of(" \t\r");
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (std::size_t start = 0; start <= text.size();) {
-        auto const end = std::min(text.find(separator, start), text.size());
-        parts.push_back(trimmed(text.substr(start, end - start)));
-        start = end + 1;
-    }
-    return parts;
-}
-
-bool to_number(std::string_view text, double& number) {
-    if (!text.empty() && text.front() == '+')
-        text.remove_prefix(1);
-    auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
 /// A line of names in place of numbers: they must be those of the columns, with or without their units.
 bool is_header(std::vector<std::string_view> const& names) {
     static constexpr std::string_view known[] = {"x", "y", "z", "dx", "dy", "dz", "power"};
@@ -90,29 +65,11 @@ RayList read_ray_list(Value const& list, Affine const& to_world) {
 }
 
 RayList read_ray_file(std::filesystem::path const& path, Affine const& to_world) {
+    if (path.extension() == ".tm25ray")
+        return read_tm25(path, to_world);
     RayList rays;
-    std::string const text = file_text(path);
-    std::vector<double> row;
-    std::size_t line_number = 0;
-    bool header_may_follow = true;
-    for (std::size_t start = 0; start < text.size();) {
-        auto const end = std::min(text.find('\n', start), text.size());
-        auto const line = trimmed(std::string_view(text).substr(start, end - start));
-        start = end + 1;
-        auto const place = [&] { return path.string() + ":" + std::to_string(line_number); };
-        ++line_number;
-        if (line.empty() || line.front() == '#')
-            continue;
-        auto const fields = split(line, ',');
-        if (std::exchange(header_may_follow, false) && is_header(fields))
-            continue;
-        row.clear();
-        for (auto const field : fields)
-            if (!to_number(field, row.emplace_back()))
-                throw InputError(place(), "\"" + std::string(field) + "\" is no number",
-                                 "give " + std::string(columns));
-        append(rays, row, to_world, place);
-    }
+    read_csv(path, columns, is_header,
+             [&](CsvRow const& row) { append(rays, row.numbers, to_world, [&] { return row.place; }); });
     if (rays.rays.empty())
         throw InputError(path.string(), "there are no rays in this file",
                          "give lines with " + std::string(columns));

@@ -30,7 +30,8 @@ Beam read_beam(Value const& table, Affine const& group) {
                                                       {"random", Pattern::random},
                                                       {"sobol", Pattern::sobol},
                                                       {"fan", Pattern::fan},
-                                                      {"ring", Pattern::ring}});
+                                                      {"ring", Pattern::ring},
+                                                      {"edge", Pattern::edge}});
     beam.rays = ray_count(fields);
     if (fields.has("radius_mm") && fields.has("size_mm"))
         throw InputError(fields.place("size_mm").text(), "a beam has radius_mm and size_mm at once",
@@ -87,6 +88,18 @@ void check_polarisation(Value const& table) {
     read_direction(fields, "axis", {});
 }
 
+/// Where the experiment says nothing of wavelengths, a ray file may.
+void use_wavelengths_of(RayList const& list, Fields const& fields, SourceSpec& source) {
+    if (fields.has("wavelengths_nm") || fields.has("lines") || fields.has("spectrum"))
+        return;
+    if (list.mixed)
+        throw InputError(fields.place("file").text(),
+                         "the rays of this file have wavelengths of their own, which are not read",
+                         "give wavelengths_nm or spectrum: every ray is then traced at each of them");
+    if (list.wavelength)
+        source.wavelengths = {{*list.wavelength, 1.0}};
+}
+
 SourceSpec read_source(Value const& table, Groups const& groups, std::filesystem::path const& folder) {
     Fields const fields(table, keys::source);
     SourceSpec source;
@@ -94,6 +107,7 @@ SourceSpec read_source(Value const& table, Groups const& groups, std::filesystem
     source.place = table.place;
     check_name(source.name, fields.place("name"));
     Affine const group = rigid_group_of(fields, groups);
+    std::optional<RayList> list_of_rays; // without the rays themselves
     std::string const kind = fields.only_one_of({"beam", "point", "lambertian", "rays", "file"});
     if (kind == "beam")
         source.emitter = read_beam(fields.at(kind), group);
@@ -108,10 +122,13 @@ SourceSpec read_source(Value const& table, Groups const& groups, std::filesystem
                 : read_ray_file(existing_file(folder, fields.text(kind), fields.place(kind)), group);
         source.power = list.power > 0.0 ? list.power : 1.0;
         source.emitter = ExplicitRays{std::move(list.rays)};
+        list_of_rays = std::move(list);
     }
+    source.wavelengths = read_wavelengths(fields, folder);
+    if (list_of_rays)
+        use_wavelengths_of(*list_of_rays, fields, source);
     if (fields.has("power_W"))
         source.power = fields.number("power_W");
-    source.wavelengths = read_wavelengths(fields);
     source.polarised = fields.has("polarisation");
     if (source.polarised)
         check_polarisation(fields.at("polarisation"));

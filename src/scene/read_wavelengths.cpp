@@ -1,4 +1,5 @@
-// In: the keys wavelengths_nm, lines, weights of a source. Out: wavelengths in m with their weights.
+// In: the keys wavelengths_nm, lines, weights and spectrum of a source. Out: wavelengths in m with their
+// weights.
 #include "scene/read_sources.h"
 
 #include "math/input_error.h"
@@ -58,15 +59,18 @@ void check_wavelength(Value const& value) {
 
 } // namespace
 
-std::vector<std::pair<double, double>> read_wavelengths(Fields const& source) {
-    if (source.has("spectrum"))
-        throw InputError(source.place("spectrum").text(), "spectra are not traced yet",
-                         "give wavelengths_nm with weights, or lines");
+std::vector<std::pair<double, double>> read_wavelengths(Fields const& source,
+                                                        std::filesystem::path const& folder) {
     if (source.has("wavelengths_nm") && source.has("lines"))
         throw InputError(source.place("lines").text(), "wavelengths_nm and lines stand side by side",
                          "keep one of the two");
+    if (source.has("spectrum") && source.has("weights"))
+        throw InputError(source.place("weights").text(), "weights and spectrum stand side by side",
+                         "keep one of the two: a spectrum gives the weights");
     std::vector<std::pair<double, double>> wavelengths;
     std::string_view const key = source.has("lines") ? "lines" : "wavelengths_nm";
+    if (!source.has(key) && source.has("spectrum"))
+        return binned_spectrum(source, folder);
     if (!source.has(key))
         wavelengths.emplace_back(587.5618 * 1e-9, 1.0);
     else
@@ -83,6 +87,8 @@ std::vector<std::pair<double, double>> read_wavelengths(Fields const& source) {
         }
     if (wavelengths.empty())
         throw InputError(source.place(key).text(), source.called(key) + " is empty", "give at least one");
+    if (source.has("spectrum"))
+        weigh_by_spectrum(source, folder, wavelengths);
     if (!source.has("weights"))
         return wavelengths;
     auto const weights = source.numbers("weights");

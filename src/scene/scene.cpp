@@ -4,6 +4,7 @@
 #include "scene/model_body.h"
 #include "scene/model_parts.h"
 #include "scene/read_model.h"
+#include "scene/read_table.h"
 
 #include "math/input_error.h"
 
@@ -27,6 +28,7 @@ struct Builder {
     void add_part(ObjectSpec const& object, ModelPart const& part, Affine const& to_world,
                   std::string const& name);
     void add_detector(DetectorSpec const& detector, DetectorId id);
+    FaceId face_called(std::string const& name, Place const& place) const;
 };
 
 std::optional<SurfaceId> surface_of(ObjectSpec const& object, std::string_view face) {
@@ -58,12 +60,32 @@ void Builder::add_shape(ObjectSpec const& object, Shape const& shape) {
 }
 
 void Builder::add_detector(DetectorSpec const& detector, DetectorId id) {
+    if (detector.kind == DetectorKind::sphere) {
+        scene.sphere_detectors.push_back(id);
+        return;
+    }
+    if (detector.kind == DetectorKind::surface) {
+        scene.surface_detectors.emplace_back(face_called(detector.surface, detector.place), id);
+        return;
+    }
     ObjectId const body = next_body();
     geometries.push_back(
         {Shape(Rectangle{detector.size}), detector.to_world, next_face(), next_shell(), true, false});
     scene.bodies.push_back({detector.name, true, scene.surroundings, 0, id, nullptr, Method::automatic,
                             Rectangle{detector.size}, detector.to_world});
     scene.faces.push_back({detector.name, body, {}});
+}
+
+/// A face by its name as it stands in the log, or that of an object with only one.
+FaceId Builder::face_called(std::string const& name, Place const& place) const {
+    std::vector<std::string> names;
+    for (std::uint32_t face = 0; face < scene.faces.size(); ++face) {
+        if (scene.faces[face].name == name)
+            return {face};
+        names.push_back(scene.faces[face].name);
+    }
+    throw InputError(place.text(), "there is no surface \"" + name + "\"",
+                     names.size() <= 12 ? "give one of " + listed(names) : did_you_mean(name, names));
 }
 
 void Builder::add_model(ObjectSpec const& object, ModelReference const& reference) {

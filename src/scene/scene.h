@@ -48,8 +48,10 @@ struct Scene {
     std::vector<DetectorSpec> detectors;
     std::vector<std::string> models; // files, as the experiment names them
     std::vector<std::string> warnings;
-    Method mesh_method = Method::automatic; // what the experiment asks for
-    std::unique_ptr<Bvh const> bvh;
+    Method mesh_method = Method::automatic;                         // what the experiment asks for
+    std::vector<DetectorId> sphere_detectors{};                     // they count what escapes
+    std::vector<std::pair<FaceId, DetectorId>> surface_detectors{}; // they count what arrives at a face
+    std::unique_ptr<Bvh const> bvh{};
 };
 
 /// Reads the experiment's models and puts everything in its place. Throws InputError.

@@ -42,6 +42,8 @@ std::vector<dvec2> pattern_points(Beam const& beam) {
             p *= round ? 1.0 : 0.5;
         return points;
     }
+    case Pattern::edge:
+        return round ? ring(beam.rays) : edge_of_rectangle(beam.rays, beam.size);
     case Pattern::random:
     case Pattern::sobol:
         return {};
@@ -62,6 +64,10 @@ dvec3 across(dvec3 const& toward, dvec3 const& up, dvec2 const& p) {
 
 Emission::Emission(std::vector<SourceSpec> const& sources, WavelengthTable const& optics, std::uint64_t seed)
     : seed_(seed) {
+    double all_power = 0.0;
+    for (SourceSpec const& spec : sources)
+        all_power += spec.power;
+    SumUnit const unit = SumUnit::for_total(all_power);
     for (SourceSpec const& spec : sources) {
         Prepared source;
         source.spec = &spec;
@@ -92,20 +98,39 @@ Emission::Emission(std::vector<SourceSpec> const& sources, WavelengthTable const
         Beam const* const beam = std::get_if<Beam>(&spec.emitter);
         bool const equal =
             !std::holds_alternative<ExplicitRays>(spec.emitter) && !(beam && beam->gaussian_radius);
-        std::uint64_t number = first_.back();
-        for (std::size_t colour = 0; colour < prepared.wavelengths.size(); ++colour) {
-            double weights = equal ? static_cast<double>(prepared.rays) : 0.0;
-            for (std::uint64_t i = 0; !equal && i < prepared.rays; ++i)
-                weights += weight(prepared, beam ? point(prepared, i, number + i) : dvec2(0.0), i);
-            if (!(weights > 0.0 && std::isfinite(weights)))
-                throw InputError(
-                    spec.place.text(), "no ray of " + spec.name + " has any power",
-                    "give a profile that is not much narrower than the rays lie apart, or weights above 0");
-            prepared.weights.push_back(weights);
-            number += prepared.rays;
-        }
+        if (equal)
+            prepared.equal = equal_shares(spec.power, prepared.wavelength_share, prepared.rays, unit);
+        else
+            weigh(prepared, first_.back(), unit);
         first_.push_back(first_.back() + prepared.rays * prepared.wavelengths.size());
     }
+}
+
+void Emission::weigh(Prepared& source, std::uint64_t first, SumUnit unit) {
+    bool const beam = std::holds_alternative<Beam>(source.spec->emitter);
+    auto const weight_of = [&](std::uint64_t within) {
+        std::uint64_t const i = within % source.rays;
+        return weight(source, beam ? point(source, i, first + within) : dvec2(0.0), i);
+    };
+    std::uint64_t const rays = source.rays * source.wavelengths.size();
+    for (std::size_t colour = 0; colour < source.wavelengths.size(); ++colour) {
+        // Kahan's sum: what a plain one loses would fall on the few rays that make up for roundings
+        double weights = 0.0, lost = 0.0;
+        for (std::uint64_t i = 0; i < source.rays; ++i) {
+            double const next = weight_of(colour * source.rays + i) - lost, sum = weights + next;
+            lost = (sum - weights) - next;
+            weights = sum;
+        }
+        if (!(weights > 0.0 && std::isfinite(weights)))
+            throw InputError(
+                source.spec->place.text(), "no ray of " + source.spec->name + " has any power",
+                "give a profile that is not much narrower than the rays lie apart, or weights above 0");
+        source.per_weight.push_back(source.spec->power * source.wavelength_share[colour] / weights);
+    }
+    source.weighted.emplace(unit);
+    for (std::uint64_t within = 0; within < rays; ++within)
+        source.weighted->add(within, weight_of(within) * source.per_weight[within / source.rays]);
+    source.weighted->close(source.spec->power);
 }
 
 dvec2 Emission::point(Prepared const& source, std::uint64_t number, std::uint64_t ray) const {
@@ -149,7 +174,8 @@ Ray Emission::ray(std::uint64_t number) const {
                 ray.origin = beam.from + across(beam.toward, beam.up,
                                                 beam.radius > 0.0 ? beam.radius * p : beam.size * p);
                 ray.direction = beam.toward;
-                ray.power = weight(source, p, i);
+                if (source.weighted)
+                    ray.power = source.weighted->of(within, weight(source, p, i) * source.per_weight[colour]);
             },
             [&](PointEmitter const& emitter) { // uniform in the cosine and in azimuth
                 dvec2 const p = point(source, i, number);
@@ -160,7 +186,6 @@ Ray Emission::ray(std::uint64_t number) const {
                 ray.origin = emitter.at;
                 ray.direction =
                     normalize((1.0 - drop) * emitter.toward + across(emitter.toward, emitter.up, circle));
-                ray.power = 1.0;
             },
             [&](LambertianEmitter const& emitter) {
                 dvec2 const p = point(source, i, number);
@@ -169,16 +194,16 @@ Ray Emission::ray(std::uint64_t number) const {
                 double const up = std::sqrt(std::max(0.0, 1.0 - dot(disk, disk)));
                 ray.origin = emitter.at + across(emitter.toward, emitter.up, emitter.size * (p - 0.5));
                 ray.direction = normalize(up * emitter.toward + across(emitter.toward, emitter.up, disk));
-                ray.power = 1.0;
             },
             [&](ExplicitRays const& rays) {
                 ray.origin = rays.rays[i].origin;
                 ray.direction = rays.rays[i].direction;
-                ray.power = rays.rays[i].weight;
+                ray.power = source.weighted->of(within, rays.rays[i].weight * source.per_weight[colour]);
             },
         },
         source.spec->emitter);
-    ray.power *= source.spec->power * source.wavelength_share[colour] / source.weights[colour];
+    if (!source.weighted)
+        ray.power = source.equal[colour].of(i);
     return ray;
 }
 

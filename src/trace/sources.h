@@ -3,9 +3,11 @@
 #pragma once
 
 #include "scene/experiment.h"
+#include "trace/shares.h"
 #include "trace/wavelengths.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sahl {
@@ -23,8 +25,9 @@ class Emission {
     Emission(std::vector<SourceSpec> const& sources, WavelengthTable const& optics, std::uint64_t seed);
 
     std::uint64_t rays() const { return first_.back(); }
-    Ray ray(std::uint64_t number) const; // number < rays()
-    double power() const;                // W, of all sources
+    /// number < rays(). The powers of a source's rays add up to its own exactly, in units of 2⁻⁹⁰ of power().
+    Ray ray(std::uint64_t number) const;
+    double power() const; // W, of all sources
     /// Number of each source's first ray, and the total as the last entry.
     std::vector<std::uint64_t> const& first_rays() const { return first_; }
 
@@ -33,10 +36,14 @@ class Emission {
         SourceSpec const* spec;
         std::vector<WavelengthId> wavelengths;
         std::vector<double> wavelength_share;
-        std::uint64_t rays = 0;      // per wavelength
-        std::vector<dvec2> points;   // of a beam's pattern, in units of its size; empty where drawn by number
-        std::vector<double> weights; // by wavelength: sum over its rays
+        std::uint64_t rays = 0;    // per wavelength
+        std::vector<dvec2> points; // of a beam's pattern, in units of its size; empty where drawn by number
+        // by wavelength, where all rays weigh the same; else what a weight of 1 stands for, in W
+        std::vector<EqualShare> equal;
+        std::vector<double> per_weight;
+        std::optional<WeightedShares> weighted; // ray by ray, through the wavelengths
     };
+    void weigh(Prepared& source, std::uint64_t first, SumUnit unit);
     dvec2 point(Prepared const& source, std::uint64_t number, std::uint64_t ray) const;
     double weight(Prepared const& source, dvec2 const& point, std::uint64_t number) const;
 

@@ -33,6 +33,8 @@ class Grove {
     Event cut_or_none(Branch const& branch) const;
     double attenuate(Branch const& branch, Interface const& interface);
     void detect(Branch const& branch, Interface const& interface, double power, double optical_path);
+    void detect_escape(Branch const& branch, DetectorId id);
+    void detect_arrival(Branch const& branch, Interface const& interface, double power, double optical_path);
     void push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                        double optical_path);
     void pass_on(Branch const& branch, Interface const& interface, double power, double optical_path);
@@ -136,6 +138,8 @@ void Grove::trace(Branch const& branch) {
     WavelengthId const wavelength = rays_[branch.ray].wavelength;
     if (meeting == Meeting::nothing) {
         result_.tally.escape(branch.power, branch.direction, wavelength);
+        for (DetectorId const sphere : context_.scene.sphere_detectors)
+            detect_escape(branch, sphere);
         return end(branch, Event::escaped, branch.power, INFINITY, INFINITY, nullptr);
     }
     double const optical_path =
@@ -156,6 +160,8 @@ void Grove::trace(Branch const& branch) {
         return end(branch, counts ? Event::detected : Event::absorbed, power, interface.t, optical_path,
                    &interface);
     }
+    if (!context_.scene.surface_detectors.empty())
+        detect_arrival(branch, interface, power, optical_path);
     Draw const draw{context_.options.seed, first_ + branch.ray, branch.place};
     Branches branches = interact(context_.scene, context_.optics, interface, branch.direction, branch.medium,
                                  wavelength, draw);
@@ -201,6 +207,53 @@ void Grove::detect(Branch const& branch, Interface const& interface, double powe
          branch.direction,
          power,
          optical_path});
+}
+
+/// At infinity a direction is all there is; its optical path is that to the last surface.
+void Grove::detect_escape(Branch const& branch, DetectorId id) {
+    DetectorSpec const& sphere = context_.scene.detectors[id.value];
+    Ray const& ray = rays_[branch.ray];
+    DetectorHit hit{id,         ray.wavelength,   ray.source,   first_ + branch.ray,
+                    dvec2(0.0), branch.direction, branch.power, branch.optical_path};
+    if (sphere.radius > 0.0) {
+        dvec3 const from_centre = branch.origin - sphere.to_world.offset;
+        double const half = dot(from_centre, branch.direction);
+        double const outside = dot(from_centre, from_centre) - sphere.radius * sphere.radius;
+        if (outside >= 0.0) // it starts beyond the sphere
+            return;
+        double const t = std::sqrt(half * half - outside) - half;
+        hit.direction = normalize(from_centre + t * branch.direction);
+        hit.optical_path += context_.optics.index(branch.medium, ray.wavelength) * t;
+    }
+    result_.hits.push_back(hit);
+}
+
+void Grove::detect_arrival(Branch const& branch, Interface const& interface, double power,
+                           double optical_path) {
+    Scene const& scene = context_.scene;
+    for (auto const& [face, id] : scene.surface_detectors) {
+        if (face.value != interface.face.value)
+            continue;
+        ObjectId const id_of_body = scene.faces[face.value].body;
+        Body const& body = scene.bodies[id_of_body.value];
+        bool const inside = body.open
+                                ? !interface.against_facing
+                                : interface.body_before && interface.body_before->value == id_of_body.value;
+        ArrivesFrom const from = scene.detectors[id.value].from;
+        if ((from == ArrivesFrom::inside && !inside) || (from == ArrivesFrom::outside && inside))
+            continue;
+        dvec3 const from_origin = interface.point - body.to_world.offset;
+        Ray const& ray = rays_[branch.ray];
+        result_.hits.push_back({id,
+                                ray.wavelength,
+                                ray.source,
+                                first_ + branch.ray,
+                                {dot(from_origin, normalize(body.to_world.linear[0])),
+                                 dot(from_origin, normalize(body.to_world.linear[1]))},
+                                branch.direction,
+                                power,
+                                optical_path});
+    }
 }
 
 void Grove::push_children(Branch const& branch, Interface const& interface, Branches const& branches,

@@ -54,8 +54,8 @@ double total(std::vector<Ray> const& rays) {
     return sum.value(SumUnit{});
 }
 
-constexpr Pattern patterns[] = {Pattern::grid,  Pattern::hexagonal, Pattern::random,
-                                Pattern::sobol, Pattern::fan,       Pattern::ring};
+constexpr Pattern patterns[] = {Pattern::grid, Pattern::hexagonal, Pattern::random, Pattern::sobol,
+                                Pattern::fan,  Pattern::ring,      Pattern::edge};
 
 /// Where a ray starts, across the beam: along its first and its second axis.
 dvec2 across(Beam const& b, Ray const& ray) {
