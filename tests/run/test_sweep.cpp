@@ -27,17 +27,18 @@ struct Scratch {
 };
 
 std::string const bench = R"(
+medium.glass = {n = 1.6}
 [[object]]
 name = "prism"
 shape = {prism = {apex_deg = 60, side_mm = 25, length_mm = 25}}
-medium = {n = 1.6}
+medium = "glass"
 faces = {base = "wall"}
 turn_deg = [0, 0, -25]
 [surface]
 wall = {absorb = true}
 [[source]]
 name = "laser"
-beam = {from_mm = [-50, 0, 0], toward = [1, 0, 0], radius_mm = 0.5, rays = 7}
+beam = {from_mm = [-50, 0, 0], toward = [1, 0, 0], radius_mm = 0.5, pattern = "hexagonal", rays = 7}
 wavelengths_nm = [500]
 [[detector]]
 name = "screen"
@@ -194,10 +195,11 @@ vary = {"object.prism.turn_deg[2]" = {from = -40, to = -10}}
 TEST_CASE("a goal finds the focus of a ball, and where a beam has a given height") {
     Scratch const scratch;
     std::string const ball = R"(
+medium.glass = {n = 1.5}
 [[object]]
 name = "ball"
 shape = {sphere = {radius_mm = 10}}
-medium = {n = 1.5}
+medium = "glass"
 [[source]]
 name = "beam"
 rays = [[-50, 0.001, 0, 1, 0, 0], [-50, -0.001, 0, 1, 0, 0]]

@@ -259,7 +259,7 @@ std::vector<Mistake> mistakes() {
          ray + beam + "[sweep]\n\"source.s.power_W\" = {from = 1, to = 0, steps = 3}\n",
          {"'power_W' in [[source]] is 0.0"}},
         {"a zip of unequal lists",
-         6,
+         7,
          ray + beam + "[sweep]\nmode = \"zip\"\n\"trace.seed\" = [1, 2]\n\"trace.max_depth\" = [1]\n",
          {"trace.max_depth has 1 values, trace.seed has 2", "grid"}},
         {"a camera's angle in quotes",

@@ -2,6 +2,8 @@
 // say.
 #include "scene/keys.h"
 
+#include "scene/read_table.h"
+
 #include "scene/read_text.h"
 #include "support/catch.h"
 
