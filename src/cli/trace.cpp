@@ -80,7 +80,7 @@ int run_trace(TraceArguments const& arguments) {
         ProgressLine line(arguments.quiet);
         options.progress = [&](std::uint64_t done, std::uint64_t total) { line.show(done, total); };
         options.sweep_progress = [&](std::size_t step, std::size_t steps) {
-            line.begin("run " + std::to_string(step + 1) + " of " + std::to_string(steps));
+            line.begin("runs done: " + std::to_string(step) + " of " + std::to_string(steps));
         };
         result = run_experiment(source, options);
     }

@@ -142,7 +142,7 @@ std::string caption(PageInput const& input, Sample const& sample, std::size_t bo
     if (bodies < input.scene.bodies.size())
         out +=
             " The first " + count(bodies) + " of " + count(input.scene.bodies.size()) + " bodies are drawn.";
-    if (!input.sweep_key.empty())
+    if (!input.sweep_keys.empty())
         out += " The first run of the sweep is shown.";
     return out + "</p>\n";
 }

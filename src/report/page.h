@@ -10,9 +10,9 @@
 
 namespace sahl {
 
-/// One row of a sweep: the value of the key, and the summary of its run.
+/// One row of a sweep: the value of each of its keys, and the summary of its run.
 struct SweepRow {
-    double value = 0.0;
+    std::vector<Value> values;
     Value summary;
 };
 
@@ -22,7 +22,7 @@ struct PageInput {
     std::vector<Segment> paths;        // of a sample of the rays, in the order of the log
     std::uint64_t rays_shown = 0;      // how many rays they belong to
     std::vector<std::string> pictures; // detector pictures, relative to the page, e.g. "detectors/screen.png"
-    std::string sweep_key;             // empty: no sweep
+    std::vector<std::string> sweep_keys; // none: no sweep
     std::vector<SweepRow> sweep;
 };
 

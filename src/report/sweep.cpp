@@ -2,11 +2,13 @@
 
 #include "report/chart.h"
 #include "report/detectors.h"
+#include "report/heat_map.h"
 #include "report/html.h"
 #include "report/ledger.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace sahl::report {
 
@@ -30,28 +32,71 @@ Value const* detector_called(Value const& summary, std::string const& name) {
     return nullptr;
 }
 
-/// The key's value in a row, as a link to the page of that run where the summary names its folder.
-std::string value_html(PageInput const& input, std::size_t row) {
-    std::string const value = figure(input.sweep[row].value);
+std::string shown_value(Value const& value) {
+    return value.is_number() ? figure(number_at(value, {}).value_or(NAN)) : shown(&value);
+}
+
+/// The keys' values in a row, one cell each, the first a link to the page of that run where the summary names
+/// its folder.
+std::vector<std::string> value_cells(PageInput const& input, std::size_t row) {
+    std::vector<std::string> cells;
+    for (Value const& value : input.sweep[row].values)
+        cells.push_back(shown_value(value));
     Value const* const runs = at(input.summary, {"sweep", "runs"});
     auto const* list = runs ? std::get_if<Array>(&runs->data) : nullptr;
     auto const folder = list && row < list->size() ? text_at((*list)[row], {"folder"}) : std::nullopt;
-    return folder ? "<a href=\"" + relative_url(*folder) + "/report.html\">" + value + "</a>" : value;
+    if (folder)
+        cells.front() = "<a href=\"" + relative_url(*folder) + "/report.html\">" + cells.front() + "</a>";
+    return cells;
 }
 
-std::string detector_html(PageInput const& input, std::string const& name, std::string const& axis) {
-    std::vector<ChartPoint> points;
-    HtmlTable table{{escaped(axis), "power (W)", "centroid (mm)", "mean direction"}, {}};
+std::string axis_name(std::string const& key) {
+    std::string const unit = unit_of_key(key);
+    return key + (unit.empty() ? "" : " (" + unit + ")");
+}
+
+std::vector<std::string> axis_headings(PageInput const& input) {
+    std::vector<std::string> headings;
+    for (std::string const& key : input.sweep_keys)
+        headings.push_back(escaped(axis_name(key)));
+    return headings;
+}
+
+/// A curve over one key, a map over the grid of two; of more there is the table.
+std::string drawing_of(PageInput const& input, std::vector<std::optional<double>> const& powers) {
+    std::vector<double> xs, ys;
+    for (std::size_t i = 0; i < input.sweep.size();
+         ++i) { // what is no number stands at its place in the list
+        auto const& values = input.sweep[i].values;
+        xs.push_back(number_at(values.back(), {}).value_or(static_cast<double>(i)));
+        ys.push_back(number_at(values.front(), {}).value_or(static_cast<double>(i)));
+    }
+    if (input.sweep_keys.size() == 1) {
+        std::vector<ChartPoint> points;
+        for (std::size_t i = 0; i < xs.size(); ++i)
+            points.push_back({xs[i], powers[i]});
+        return line_chart_svg(points, axis_name(input.sweep_keys.front()), "power (W)");
+    }
+    return input.sweep_keys.size() == 2
+               ? heat_map_svg(xs, ys, powers, axis_name(input.sweep_keys[1]), axis_name(input.sweep_keys[0]))
+               : std::string();
+}
+
+std::string detector_html(PageInput const& input, std::string const& name) {
+    std::vector<std::optional<double>> powers;
+    HtmlTable table{axis_headings(input), {}};
+    for (char const* heading : {"power (W)", "centroid (mm)", "mean direction"})
+        table.headings.emplace_back(heading);
     for (std::size_t i = 0; i < input.sweep.size(); ++i) {
-        SweepRow const& row = input.sweep[i];
-        Value const* const found = detector_called(row.summary, name);
+        Value const* const found = detector_called(input.sweep[i].summary, name);
         Value const detector = found ? *found : Value();
-        points.push_back({row.value, number_at(detector, {"power_W"})});
-        table.rows.push_back({value_html(input, i), shown(at(detector, {"power_W"})),
-                              shown(at(detector, {"centroid_mm"})), shown(at(detector, {"mean_direction"}))});
+        powers.push_back(number_at(detector, {"power_W"}));
+        table.rows.push_back(value_cells(input, i));
+        for (char const* figure_name : {"power_W", "centroid_mm", "mean_direction"})
+            table.rows.back().push_back(shown(at(detector, {figure_name})));
     }
     auto const picture = picture_of(name, input.pictures);
-    return "<article><h3>" + escaped(name) + "</h3>\n" + line_chart_svg(points, axis, "power (W)") +
+    return "<article><h3>" + escaped(name) + "</h3>\n" + drawing_of(input, powers) +
            (picture ? "<details><summary>Picture of the first run</summary>" + picture_html(name, *picture) +
                           "</details>"
                     : "") +
@@ -59,18 +104,20 @@ std::string detector_html(PageInput const& input, std::string const& name, std::
 }
 
 /// The mean direction of the light that left the scene, run by run, a column for each wavelength.
-std::string escaped_html(PageInput const& input, std::string const& axis) {
+std::string escaped_html(PageInput const& input) {
     std::vector<std::string> wavelengths;
     for (auto const& [wavelength, unused] : entries_at(input.sweep.front().summary, "escaped_direction"))
         if (wavelengths.size() < most_wavelengths)
             wavelengths.push_back(wavelength);
     if (wavelengths.empty())
         return {};
-    HtmlTable table{{escaped(axis)}, {}};
+    HtmlTable table{axis_headings(input), {}};
     for (std::string const& wavelength : wavelengths)
         table.headings.push_back(escaped(wavelength) + " nm");
     for (SweepRow const& row : input.sweep) {
-        table.rows.push_back({figure(row.value)});
+        table.rows.emplace_back();
+        for (Value const& value : row.values)
+            table.rows.back().push_back(shown_value(value));
         for (std::string const& wavelength : wavelengths)
             table.rows.back().push_back(shown(at(row.summary, {"escaped_direction", wavelength})));
     }
@@ -84,8 +131,11 @@ std::string verdict(PageInput const& input) {
     for (SweepRow const& row : input.sweep) {
         auto const closes = ledger_closes(row.summary);
         stated += closes ? 1 : 0;
-        if (closes && !*closes)
-            open += (open.empty() ? "" : ", ") + figure(row.value);
+        if (!closes || *closes)
+            continue;
+        open += open.empty() ? "" : "; ";
+        for (std::size_t i = 0; i < row.values.size(); ++i)
+            open += (i == 0 ? "" : ", ") + shown_value(row.values[i]);
     }
     if (stated == 0)
         return {};
@@ -117,12 +167,10 @@ std::string unit_of_key(std::string_view key) {
 std::string sweep_html(PageInput const& input) {
     if (input.sweep.empty())
         return {};
-    std::string const unit = unit_of_key(input.sweep_key);
-    std::string const axis = input.sweep_key + (unit.empty() ? "" : " (" + unit + ")");
     std::string out = verdict(input) + "<div class=\"views\">\n";
     for (std::string const& name : detector_names(input.sweep))
-        out += detector_html(input, name, axis);
-    return out + "</div>\n" + escaped_html(input, axis);
+        out += detector_html(input, name);
+    return out + "</div>\n" + escaped_html(input);
 }
 
 } // namespace sahl::report

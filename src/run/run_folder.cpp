@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <fcntl.h>
+#include <fstream>
 #include <string_view>
+#include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -15,16 +18,61 @@ namespace fs = std::filesystem;
 namespace {
 
 /// What a run writes; everything else in its folder is the user's.
-constexpr std::array<std::string_view, 7> written{"summary.json", "rays.h5",   "rays.shards", "report.html",
-                                                  "sweep.csv",    "detectors", "runs"};
+constexpr std::array<std::string_view, 8> written{"summary.json", "rays.h5",  "rays.shards", "report.html",
+                                                  "sweep.csv",    "goal.csv", "detectors",   "runs"};
 
 bool is_written(fs::path const& name) {
     return std::find(written.begin(), written.end(), name.string()) != written.end();
 }
 
+constexpr char const* identity_file = "unfinished.json";
+
+bool has_runs(fs::path const& folder) {
+    std::error_code error;
+    for (fs::directory_entry const& entry : fs::directory_iterator(folder / "runs", error))
+        if (entry.path().extension() != ".part")
+            return true;
+    return false;
+}
+
+void remove_contents(fs::path const& folder, std::string_view but) {
+    for (fs::directory_entry const& entry : fs::directory_iterator(folder))
+        if (entry.path().filename() != but)
+            fs::remove_all(entry.path());
+}
+
+std::string text_in(fs::path const& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 } // namespace
 
-RunFolder::RunFolder(fs::path wanted) : wanted_(std::move(wanted)) {
+/// Whether the partial folder is ours now; `work_` is its name.
+bool RunFolder::claim_partial(std::string const& identity) {
+    fs::path const file = work_ / identity_file;
+    if (fs::exists(work_) && !fs::exists(file) && !fs::is_empty(work_))
+        throw InputError(work_.string(), "stands where an unfinished sweep would be kept, and is none",
+                         "move it away, or give another --out");
+    fs::create_directories(work_);
+    lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+        ::close(lock_);
+        lock_ = -1;
+    }
+    if (lock_ < 0)
+        return false;
+    if (text_in(file) != identity) {
+        remove_contents(work_, identity_file);
+        std::ofstream out(file, std::ios::binary); // the same inode: the lock stays
+        out << identity;
+        if (!out.flush())
+            throw InputError(file.string(), "cannot be written", "see that there is room on the disk");
+    }
+    return true;
+}
+
+RunFolder::RunFolder(fs::path wanted, std::string const& identity) : wanted_(std::move(wanted)) {
     std::error_code error;
     wanted_ = fs::absolute(wanted_).lexically_normal();
     if (!wanted_.has_filename())
@@ -34,6 +82,10 @@ RunFolder::RunFolder(fs::path wanted) : wanted_(std::move(wanted)) {
     if (fs::is_directory(wanted_) && !fs::is_empty(wanted_) && !fs::exists(wanted_ / "summary.json"))
         throw InputError(wanted_.string(), "holds files, but no earlier run that could be replaced",
                          "give an --out that is new, empty, or an earlier run");
+    work_ = wanted_;
+    work_ += ".partial";
+    if (!identity.empty() && claim_partial(identity))
+        return;
     work_ = wanted_;
     work_ += ".unfinished-" + std::to_string(::getpid());
     fs::remove_all(work_, error);
@@ -45,11 +97,14 @@ RunFolder::RunFolder(fs::path wanted) : wanted_(std::move(wanted)) {
 
 RunFolder::~RunFolder() {
     std::error_code ignored;
-    if (!published_)
+    if (!published_ && !(lock_ >= 0 && has_runs(work_)))
         fs::remove_all(work_, ignored);
+    if (lock_ >= 0)
+        ::close(lock_);
 }
 
 void RunFolder::publish() {
+    fs::remove(work_ / identity_file);
     fs::path const old = work_.string() + ".old";
     if (fs::exists(wanted_)) {
         for (fs::directory_entry const& entry : fs::directory_iterator(wanted_))

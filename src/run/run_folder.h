@@ -3,16 +3,20 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace sahl {
 
 /// While it lives, results go to a folder beside the wanted one; publish() puts that in its place. Not
-/// published, it leaves everything as it was. What an earlier run left there is replaced; files that no run
-/// writes are kept.
+/// published, it leaves everything as it was, but for complete runs of a sweep. What an earlier run left
+/// there is replaced; files that no run writes are kept.
 class RunFolder {
   public:
     /// Throws InputError where `wanted` holds files but no run, or cannot be written.
-    explicit RunFolder(std::filesystem::path wanted);
+    /// identity   not empty: what is not finished stays in the folder `wanted`.partial, and the next start
+    ///            with the same identity finds it there; one with another identity begins anew. Where
+    ///            another process is at work in it, this one has a folder of its own, and finds nothing.
+    explicit RunFolder(std::filesystem::path wanted, std::string const& identity = {});
     ~RunFolder();
     RunFolder(RunFolder const&) = delete;
     RunFolder& operator=(RunFolder const&) = delete;
@@ -21,8 +25,11 @@ class RunFolder {
     void publish();
 
   private:
+    bool claim_partial(std::string const& identity);
+
     std::filesystem::path wanted_, work_;
     bool published_ = false;
+    int lock_ = -1; // of the file that says whose partial results these are
 };
 
 } // namespace sahl

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace sahl {
 
@@ -21,7 +22,7 @@ bool is_time(std::string const& key) {
 }
 
 /// All numbers of a summary under the path that leads to them; what is null in one run is NaN there.
-void flatten(Value const& value, std::string const& path, std::vector<std::pair<std::string, double>>& out) {
+void flatten(Value const& value, std::string const& path, Figures& out) {
     if (auto const* const table = std::get_if<Table>(&value.data)) {
         for (auto const& [key, entry] : *table)
             if (!is_time(key) && key != "options" && key != "seed" && key != "models" && key != "lost_rays")
@@ -39,13 +40,20 @@ std::string text_of(double x) {
     return {text, std::to_chars(text, text + sizeof text, x).ptr};
 }
 
-std::string quoted(std::string const& text) {
+std::string csv_text(std::string const& text) {
     if (text.find_first_of(",\"\n") == std::string::npos)
         return text;
     std::string result = "\"";
     for (char const c : text)
         result += c == '"' ? std::string("\"\"") : std::string(1, c);
     return result + "\"";
+}
+
+std::string cell_of(Value const& value) {
+    if (value.is_number())
+        return text_of(number_of(value));
+    auto const* text = std::get_if<std::string>(&value.data);
+    return csv_text(text ? *text : to_json(value));
 }
 
 /// Adds the numbers of `addend` to the equally named ones of `sum`.
@@ -63,33 +71,50 @@ void add_numbers(Value& sum, Value const& addend) {
 
 } // namespace
 
-std::string sweep_csv(std::string const& key, std::vector<SweepRow> const& rows) {
-    std::vector<std::string> columns;
-    std::vector<std::vector<std::pair<std::string, double>>> cells;
+std::string run_name(std::size_t run) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%03zu", run);
+    return name;
+}
+
+Figures figures_of(Value const& summary) {
+    Figures figures;
+    flatten(summary, "", figures);
+    return figures;
+}
+
+std::string sweep_csv(std::vector<std::string> const& keys, std::vector<SweepRow> const& rows) {
+    std::map<std::string, std::size_t> columns;
+    std::vector<std::string> names;
+    std::vector<Figures> figures;
     for (SweepRow const& row : rows) {
-        flatten(row.summary, "", cells.emplace_back());
-        for (auto const& [name, value] : cells.back())
-            if (std::find(columns.begin(), columns.end(), name) == columns.end())
-                columns.push_back(name);
+        figures.push_back(figures_of(row.summary));
+        for (auto const& [name, value] : figures.back())
+            if (columns.emplace(name, names.size()).second)
+                names.push_back(name);
     }
-    std::string csv = quoted(key);
-    for (std::string const& column : columns)
-        csv += "," + quoted(column);
+    std::string csv;
+    for (std::string const& key : keys)
+        csv += csv_text(key) + ",";
+    for (std::size_t i = 0; i < names.size(); ++i)
+        csv += (i == 0 ? "" : ",") + csv_text(names[i]);
     csv += "\n";
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        csv += text_of(rows[i].value);
-        for (std::string const& column : columns) {
-            auto const cell = std::find_if(cells[i].begin(), cells[i].end(),
-                                           [&](auto const& c) { return c.first == column; });
-            csv += "," + (cell == cells[i].end() ? std::string() : text_of(cell->second));
-        }
+        std::vector<std::string> cells(names.size());
+        for (auto const& [name, value] : figures[i])
+            cells[columns[name]] = text_of(value);
+        for (Value const& value : rows[i].values)
+            csv += cell_of(value) + ",";
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            csv += (c == 0 ? "" : ",") + cells[c];
         csv += "\n";
     }
     return csv;
 }
 
-Value sweep_summary(std::string const& key, std::vector<SweepRow> const& rows,
-                    std::vector<std::string> const& set, std::vector<std::string> const& failures) {
+Value sweep_summary(std::vector<std::string> const& keys, std::vector<SweepRow> const& rows,
+                    std::vector<std::string> const& set, std::vector<std::string> const& failures,
+                    SweepTime const& time) {
     Table summary;
     auto const text_list = [](std::vector<std::string> const& list) {
         Array array;
@@ -104,15 +129,18 @@ Value sweep_summary(std::string const& key, std::vector<SweepRow> const& rows,
         *settings = text_list(set); // the sweep's own key apart
     summary.emplace_back("passed", Value{failures.empty(), {}});
     summary.emplace_back("failures", text_list(failures));
-    for (char const* added : {"rays", "segments", "seconds"}) {
+    for (char const* added : {"rays", "segments"}) {
         Value sum = *first.find(added);
         for (std::size_t i = 1; i < rows.size(); ++i)
             add_numbers(sum, *rows[i].summary.find(added));
         summary.emplace_back(added, std::move(sum));
     }
-    double const seconds = number_of(summary.back().second);
-    summary.emplace_back("segments_per_second",
-                         Value{number_of(summary[summary.size() - 2].second) / std::max(seconds, 1e-9), {}});
+    summary.emplace_back("seconds", Value{time.seconds, {}});
+    double segments = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!time.kept[i])
+            segments += number_of(*rows[i].summary.find("segments"));
+    summary.emplace_back("segments_per_second", Value{segments / std::max(time.seconds, 1e-9), {}});
     summary.emplace_back("threads", *first.find("threads"));
     for (char const* added : {"energy_W", "events"}) {
         Value sum = *first.find(added);
@@ -120,13 +148,14 @@ Value sweep_summary(std::string const& key, std::vector<SweepRow> const& rows,
             add_numbers(sum, *rows[i].summary.find(added));
         summary.emplace_back(added, std::move(sum));
     }
-    Array runs;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        char folder[32];
-        std::snprintf(folder, sizeof folder, "runs/%03zu", i);
-        runs.push_back({Table{{"value", {rows[i].value, {}}}, {"folder", {std::string(folder), {}}}}, {}});
-    }
-    summary.emplace_back("sweep", Value{Table{{"key", {key, {}}}, {"runs", {std::move(runs), {}}}}, {}});
+    Array names, runs;
+    for (std::string const& key : keys)
+        names.push_back({key, {}});
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        runs.push_back(
+            {Table{{"values", {Array(rows[i].values), {}}}, {"folder", {"runs/" + run_name(i), {}}}}, {}});
+    summary.emplace_back("sweep",
+                         Value{Table{{"keys", {std::move(names), {}}}, {"runs", {std::move(runs), {}}}}, {}});
     summary.emplace_back("warnings", *first.find("warnings"));
     return {std::move(summary), {}};
 }

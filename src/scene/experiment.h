@@ -148,8 +148,34 @@ struct Limits {
 };
 
 struct SweepAxis {
-    std::string key; // "object.prism.turn_deg[2]"
-    std::vector<double> values;
+    std::string key;           // "object.prism.turn_deg[2]"
+    std::vector<Value> values; // whatever may stand under the key: numbers, names of glasses, lists
+    Place place;
+};
+
+/// Several runs of one experiment.
+struct SweepSpec {
+    std::vector<SweepAxis> axes;
+    bool zip = false; // the axes go together; false: every value of each with all of the others
+
+    bool empty() const { return axes.empty(); }
+    std::size_t runs() const;
+    /// What the axes have in run `run` of runs(): in a grid the last axis changes first.
+    std::vector<Value> point(std::size_t run) const;
+};
+
+enum class Aim { minimise, maximise, reach };
+
+/// One number of the experiment, varied until a figure of the summary is least, greatest or a given one.
+struct GoalSpec {
+    Aim aim = Aim::minimise;
+    std::string figure; // as in the head of sweep.csv: "detectors.screen.rms_radius_mm"
+    double value = 0.0; // to be reached
+    std::string key;
+    double from = 0.0, to = 0.0;
+    double tolerance = 0.0;      // of the key's number, as a share of to − from
+    std::uint64_t looks = 2;     // runs, evenly spread, that find where to search
+    std::uint64_t most_runs = 0; // looks included
     Place place;
 };
 
@@ -165,7 +191,8 @@ struct Experiment {
     TraceOptions trace;
     LogOptions log;
     Limits limits;
-    std::vector<SweepAxis> sweep;
+    SweepSpec sweep;
+    std::optional<GoalSpec> goal;
     std::vector<std::string> warnings; // what a user should know, e.g. a formula used outside its range
 };
 

@@ -28,7 +28,8 @@ constexpr Key experiment_keys[] = {
     {"object", Kind::tables, {}, "bodies and open surfaces"},
     {"source", Kind::tables, {}, "where light comes from; at least one"},
     {"detector", Kind::tables, {}, "where light is counted"},
-    {"sweep", Kind::table, {}, "a run for each value of one key"},
+    {"sweep", Kind::table, {}, "a run for each value of a key, or of several"},
+    {"goal", Kind::table, {}, "runs until a figure of the summary is least, greatest or a given one"},
     {"camera", Kind::table, {}, "for pictures"},
     {"light", Kind::tables, {}, "for pictures"},
     {"background", Kind::table, {}, "for pictures"},
@@ -90,10 +91,47 @@ constexpr Key group_keys[] = {
 };
 
 constexpr Key sweep_keys[] = {
+    {"mode", Kind::text, "grid",
+     "of several keys: `\"grid\"`: every value of one with all of the others, the last key changing first; "
+     "`\"zip\"`: first with first, second with second; their lists are of one length"},
+};
+
+constexpr Key sweep_range_keys[] = {
     {"from", Kind::number, {}, "the first value"},
     {"to", Kind::number, {}, "the last value"},
     {"steps", Kind::integer, {}, "how many values, both ends counted", {1.0, 100000.0}},
-    {"values", Kind::numbers, {}, "instead of the three: the values themselves; a plain list does too"},
+    {"values",
+     Kind::any,
+     {},
+     "instead of the three: a list of values, of whatever may stand under the key (numbers, names of media, "
+     "lists); a plain list does too"},
+};
+
+constexpr Key goal_keys[] = {
+    {"minimise", Kind::text, {}, "a figure, named as in the head of `sweep.csv`, to be as small as it gets"},
+    {"maximise", Kind::text, {}, "or as great as it gets"},
+    {"reach", Kind::text, {}, "or to be `value`"},
+    {"value", Kind::number, {}, "with `reach`: what the figure shall be"},
+    {"vary", Kind::table, Required{},
+     "the key to be varied: `{\"object.NAME.key[i]\" = {from = …, to = …}}`"},
+    {"tolerance",
+     Kind::number,
+     1e-9,
+     "how well the key's number is to be known, as a share of `to` − `from`; the search ends earlier where "
+     "rounding hides any change of the figure",
+     {1e-15, 0.1}},
+    {"looks",
+     Kind::integer,
+     9.0,
+     "runs evenly spread from `from` to `to`, side by side, that show where to search: enough for the best "
+     "to stand on the right hill",
+     {3.0, 100000.0}},
+    {"most_runs", Kind::integer, 200.0, "after so many the search has failed", {3.0, 1000000.0}},
+};
+
+constexpr Key goal_range_keys[] = {
+    {"from", Kind::number, Required{}, "one end of the search"},
+    {"to", Kind::number, Required{}, "the other"},
 };
 
 constexpr Key camera_keys[] = {
@@ -130,9 +168,18 @@ KeyTable const keys::group{
     "[[group]]",
     "Moves its objects, sources, detectors and groups as one: first their own motion, then the group's.",
     group_keys};
-KeyTable const keys::sweep{
-    "[sweep]", "One entry, `\"object.NAME.key[i]\" = {from = …, to = …, steps = …}`: a run for each value.",
-    sweep_keys};
+KeyTable const keys::sweep{"[sweep]",
+                           "Beside this, entries `\"object.NAME.key[i]\" = {from = …, to = …, steps = …}` or "
+                           "`= [value, …]`: a run for "
+                           "each value, or for each point of the grid where there are several entries.",
+                           sweep_keys};
+KeyTable const keys::sweep_range{"sweep range", "The values of one key of a sweep.", sweep_range_keys};
+KeyTable const keys::goal{
+    "[goal]",
+    "Varies one number until a figure of the summary is least, greatest or a given one; exactly one of "
+    "`minimise`, `maximise`, `reach`.",
+    goal_keys};
+KeyTable const keys::goal_range{"goal range", "Where a goal seeks.", goal_range_keys};
 KeyTable const keys::camera{"[camera]", "For pictures; it has no part in tracing.", camera_keys};
 KeyTable const keys::light{"[[light]]", "For pictures; it has no part in tracing.", light_keys};
 KeyTable const keys::light_point{"light point", "A lamp of a picture.", light_point_keys};
@@ -141,14 +188,15 @@ KeyTable const keys::background{"[background]", "For pictures: what is seen wher
 
 std::span<KeyTable const* const> key_tables() {
     static constexpr KeyTable const* all[] = {
-        &keys::experiment, &keys::medium,       &keys::sellmeier,   &keys::cauchy,    &keys::surface,
-        &keys::paint,      &keys::trace,        &keys::log,         &keys::limits,    &keys::group,
-        &keys::object,     &keys::material,     &keys::shape,       &keys::sphere,    &keys::box,
-        &keys::cylinder,   &keys::lens,         &keys::prism,       &keys::plane,     &keys::rectangle,
-        &keys::disk,       &keys::cone,         &keys::corner_cube, &keys::quadric,   &keys::conic_mirror,
-        &keys::source,     &keys::beam,         &keys::profile,     &keys::point,     &keys::lambertian,
-        &keys::spectrum,   &keys::polarisation, &keys::detector,    &keys::far_field, &keys::sweep,
-        &keys::camera,     &keys::light,        &keys::light_point, &keys::background};
+        &keys::experiment,  &keys::medium,       &keys::sellmeier,   &keys::cauchy,    &keys::surface,
+        &keys::paint,       &keys::trace,        &keys::log,         &keys::limits,    &keys::group,
+        &keys::object,      &keys::material,     &keys::shape,       &keys::sphere,    &keys::box,
+        &keys::cylinder,    &keys::lens,         &keys::prism,       &keys::plane,     &keys::rectangle,
+        &keys::disk,        &keys::cone,         &keys::corner_cube, &keys::quadric,   &keys::conic_mirror,
+        &keys::source,      &keys::beam,         &keys::profile,     &keys::point,     &keys::lambertian,
+        &keys::spectrum,    &keys::polarisation, &keys::detector,    &keys::far_field, &keys::sweep,
+        &keys::sweep_range, &keys::goal,         &keys::goal_range,  &keys::camera,    &keys::light,
+        &keys::light_point, &keys::background};
     return all;
 }
 

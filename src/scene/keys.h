@@ -61,7 +61,8 @@ struct KeyTable {
 
 namespace keys {
 // keys.cpp
-extern KeyTable const experiment, trace, log, limits, group, sweep, camera, light, light_point, background;
+extern KeyTable const experiment, trace, log, limits, group, sweep, sweep_range, goal, goal_range, camera,
+    light, light_point, background;
 // keys_materials.cpp
 extern KeyTable const medium, sellmeier, cauchy, surface, paint;
 // keys_objects.cpp

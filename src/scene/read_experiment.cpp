@@ -1,4 +1,5 @@
-// In: the tree of a whole experiment. Out: the experiment, its names compared, its sweep tried out.
+// In: the tree of a whole experiment. Out: the experiment, its names compared, the steps of its sweep tried
+// out.
 #include "scene/read_experiment.h"
 
 #include "math/input_error.h"
@@ -9,6 +10,7 @@
 #include "scene/read_options.h"
 #include "scene/read_sources.h"
 #include "scene/read_surfaces.h"
+#include "scene/read_sweep.h"
 
 #include <algorithm>
 #include <map>
@@ -53,20 +55,6 @@ void warn_of_polarisation(Experiment& experiment) {
                                           "\" is ignored, since polarised tracing does not exist yet");
 }
 
-/// Every value of the sweep is read on a copy, so that nothing wrong is found when half of the runs are done.
-void check_sweep(Value const& tree, std::vector<SweepAxis> const& axes, std::filesystem::path const& file) {
-    if (axes.empty())
-        return;
-    Value copy = tree;
-    auto& entries = std::get<Table>(copy.data);
-    std::erase_if(entries, [](auto const& entry) { return entry.first == "sweep"; });
-    for (SweepAxis const& axis : axes)
-        for (double const value : axis.values) {
-            set_key(copy, axis.key, {value, axis.place});
-            read_experiment(copy, file);
-        }
-}
-
 } // namespace
 
 Value read_experiment_file(std::filesystem::path const& path, std::string& text) {
@@ -102,7 +90,8 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     experiment.warnings = check_media(media, all_wavelengths(experiment.sources));
     warn_of_polarisation(experiment);
     experiment.sweep = read_sweep(tree);
-    check_sweep(tree, experiment.sweep, file);
+    experiment.goal = read_goal(tree);
+    check_steps(tree, experiment);
     return experiment;
 }
 

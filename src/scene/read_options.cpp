@@ -1,4 +1,4 @@
-// In: the tables [trace], [log], [limits], [sweep]. Out: options; what this version lacks is refused by name.
+// In: the tables [trace], [log], [limits]. Out: options; what this version lacks is refused by name.
 #include "scene/read_options.h"
 
 #include "math/input_error.h"
@@ -47,28 +47,6 @@ Method read_method(Fields const& fields) {
     return method;
 }
 
-SweepAxis read_range(Value const& table, SweepAxis axis) {
-    Fields const fields(table, keys::sweep);
-    if (fields.has("values")) {
-        for (auto const key : {"from", "to", "steps"})
-            if (fields.has(key))
-                throw InputError(fields.place(key).text(), fields.called(key) + " stands beside values",
-                                 "give either values or from, to and steps");
-        axis.values = fields.numbers("values");
-        return axis;
-    }
-    for (auto const key : {"from", "to", "steps"})
-        if (!fields.has(key))
-            throw InputError(fields.place().text(), "'" + std::string(key) + "' is missing in [sweep]",
-                             "give {from = …, to = …, steps = …} or {values = […]}");
-    double const from = fields.number("from"), to = fields.number("to");
-    auto const steps = fields.integer("steps");
-    for (std::int64_t i = 0; i < steps; ++i)
-        axis.values.push_back(
-            steps == 1 ? from : from + (to - from) * static_cast<double>(i) / static_cast<double>(steps - 1));
-    return axis;
-}
-
 } // namespace
 
 TraceOptions read_trace(Value const& tree) {
@@ -107,24 +85,6 @@ LogOptions read_log(Value const& tree) {
 Limits read_limits(Value const& tree) {
     Fields const fields(table_or_empty(tree, "limits"), keys::limits);
     return {fields.number("leak"), fields.number("ledger")};
-}
-
-std::vector<SweepAxis> read_sweep(Value const& tree) {
-    std::vector<SweepAxis> axes;
-    for (auto const& [key, value] : std::get<Table>(table_or_empty(tree, "sweep").data)) {
-        if (!axes.empty())
-            throw InputError(value.place.text(), "there are two keys in [sweep], and this version sweeps one",
-                             "keep one, and write an experiment for each value of the other");
-        SweepAxis axis{key, {}, value.place};
-        if (!has_kind(value, Kind::numbers))
-            axis = read_range(value, std::move(axis));
-        else
-            axis.values = numbers_in(std::get<Array>(value.data));
-        if (axis.values.empty())
-            throw InputError(axis.place.text(), "this sweep has no values", "give at least one");
-        axes.push_back(std::move(axis));
-    }
-    return axes;
 }
 
 void check_picture_keys(Value const& tree) {

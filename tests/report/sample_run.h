@@ -135,7 +135,7 @@ inline Value& entry(Value& value, std::initializer_list<std::string_view> path) 
 inline std::vector<SweepRow> sweep() {
     std::vector<SweepRow> rows;
     for (int i = 0; i <= 12; ++i) {
-        SweepRow row{-45.0 + 2.0 * i, summary()};
+        SweepRow row{{Value{-45.0 + 2.0 * i, {}}}, summary()};
         double const x = (i - 6) / 6.0;
         entry(row.summary, {"detectors", "screen", "power_W"}).data = 0.85 - 0.3 * x * x + 0.02 * x;
         rows.push_back(std::move(row));

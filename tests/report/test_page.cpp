@@ -13,9 +13,9 @@ using namespace sahl;
 namespace {
 
 std::string page_of(Value const& summary, sample::Run const& run, std::vector<std::string> pictures = {},
-                    std::string key = {}, std::vector<SweepRow> sweep = {}) {
+                    std::vector<std::string> keys = {}, std::vector<SweepRow> sweep = {}) {
     return report_page(
-        {summary, run.scene, run.paths, 36, std::move(pictures), std::move(key), std::move(sweep)});
+        {summary, run.scene, run.paths, 36, std::move(pictures), std::move(keys), std::move(sweep)});
 }
 
 bool has(std::string const& page, std::string_view part) {
@@ -83,7 +83,8 @@ TEST_CASE("names from files are shown, not obeyed") {
     std::string const picture =
         "detectors/" + std::string("<script>alert('1')<_script>_ onload=_x & _ <_style>") + ".png";
 
-    std::string const page = page_of(summary, run, {picture}, hostile, {{1.0, summary}, {2.0, summary}});
+    std::string const page = page_of(summary, run, {picture}, {hostile},
+                                     {{{Value{hostile, {}}}, summary}, {{Value{2.0, {}}}, summary}});
     CHECK(sample::fault_of(page) == "");
     CHECK_FALSE(has(page, "<script"));
     CHECK_FALSE(has(page, "onload=\""));
@@ -108,8 +109,9 @@ TEST_CASE("a page can be made of a summary in which anything is absent or null")
             Value summary = whole;
             *summary.find(key) = instead;
             CHECK(sample::fault_of(page_of(summary, empty, {"detectors/screen.png"})) == "");
-            CHECK(sample::fault_of(page_of(summary, empty, {}, "source.laser.power_W",
-                                           {{1.0, summary}, {2.0, summary}})) == "");
+            CHECK(sample::fault_of(page_of(summary, empty, {}, {"source.laser.power_W"},
+                                           {{{Value{1.0, {}}}, summary}, {{Value{2.0, {}}}, summary}})) ==
+                  "");
         }
     }
 }
@@ -132,7 +134,8 @@ TEST_CASE("a sweep has a chart and a table for each detector") {
     std::get<Table>(summary.data)
         .emplace_back("sweep", parse_json(R"({"key": "k", "runs": [{"value": -45.0, "folder": "runs/000"}]})",
                                           "sweep"));
-    std::string const page = page_of(summary, sample::run(), {}, "object.prism.turn_deg[2]", sample::sweep());
+    std::string const page =
+        page_of(summary, sample::run(), {}, {"object.prism.turn_deg[2]"}, sample::sweep());
     CHECK(sample::fault_of(page) == "");
     CHECK(has(page, "object.prism.turn_deg[2] (°)"));
     CHECK(has(page, "<a href=\"runs/000/report.html\">−45</a>"));

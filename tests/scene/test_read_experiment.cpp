@@ -144,11 +144,11 @@ TEST_CASE("the example of the format: its laser, screen and sweep") {
     CHECK(axes[1] == dvec3(0.0, 0.0, 1.0));
     CHECK(length(axes[0] - cross(axes[1], axes[2])) < 1e-15);
 
-    REQUIRE(e.sweep.size() == 1);
-    CHECK(e.sweep[0].key == "object.prism.turn_deg[2]");
-    REQUIRE(e.sweep[0].values.size() == 26);
+    REQUIRE(e.sweep.axes.size() == 1);
+    CHECK(e.sweep.axes[0].key == "object.prism.turn_deg[2]");
+    REQUIRE(e.sweep.runs() == 26);
     for (int i = 0; i < 26; ++i)
-        CHECK(e.sweep[0].values[static_cast<std::size_t>(i)] == -45.0 + i);
+        CHECK(std::get<double>(e.sweep.point(static_cast<std::size_t>(i))[0].data) == -45.0 + i);
     REQUIRE(e.warnings.size() == 1);
     CHECK(e.warnings[0].find("polarisation of source \"laser\" is ignored") != std::string::npos);
 }
@@ -183,7 +183,9 @@ TEST_CASE("the example of the format reads the same as TOML and as JSON") {
     CHECK(std::get<Beam>(a.sources[0].emitter).rays == std::get<Beam>(b.sources[0].emitter).rays);
     CHECK(a.detectors.at(0).to_world == b.detectors.at(0).to_world);
     CHECK(a.detectors[0].columns == b.detectors[0].columns);
-    CHECK(a.sweep.at(0).values == b.sweep.at(0).values);
+    REQUIRE(a.sweep.runs() == b.sweep.runs());
+    for (std::size_t run = 0; run < a.sweep.runs(); ++run)
+        CHECK(to_json(a.sweep.point(run)[0]) == to_json(b.sweep.point(run)[0]));
     CHECK(b.detectors[0].place.text() == "prism.json: /detector/0");
 }
 

@@ -2,6 +2,8 @@
 // say.
 #include "scene/keys.h"
 
+#include "scene/read_table.h"
+
 #include "scene/read_text.h"
 #include "support/catch.h"
 
@@ -84,10 +86,10 @@ TEST_CASE("a setting that is wrong names itself and the nearest name") {
 
 TEST_CASE("a sweep takes a range, values or a plain list, and whole numbers where a key wants them") {
     auto const sweep = [](std::string const& what) {
-        return read_text("sweep.\"source.s.beam.rays\" = " + what + "\n[[source]]\nname = \"s\"\n" +
-                         "beam = {from_mm = [0, 0, 0], toward = [0, 0, 1], radius_mm = 1}\n")
-            .sweep.at(0)
-            .values;
+        Experiment const e =
+            read_text("sweep.\"source.s.beam.rays\" = " + what + "\n[[source]]\nname = \"s\"\n" +
+                      "beam = {from_mm = [0, 0, 0], toward = [0, 0, 1], radius_mm = 1}\n");
+        return numbers_in(e.sweep.axes.at(0).values);
     };
     CHECK(sweep("{from = 1, to = 9, steps = 3}") == std::vector<double>{1, 5, 9});
     CHECK(sweep("{from = 4, to = 9, steps = 1}") == std::vector<double>{4});
