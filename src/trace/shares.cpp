@@ -52,20 +52,17 @@ std::vector<EqualShare> equal_shares(double power, std::vector<double> const& co
     return shares;
 }
 
-double WeightedShares::rounded(double share) const {
-    if (share <= 0.0 || std::ilogb(share) - digits >= unit_.exponent)
-        return std::max(0.0, share);
-    return std::ldexp(std::nearbyint(std::ldexp(share, -unit_.exponent)), unit_.exponent);
-}
-
 void WeightedShares::add(std::uint64_t ray, double share) {
-    double const power = rounded(share);
-    sum_.add(power, unit_);
-    if (power <= 0.0)
+    sum_.add(share, unit_); // cuts off what lies below the unit, as the ledger does
+    if (share <= 0.0)
         return;
-    auto const [found, is_new] = by_order_.try_emplace(order_of(power, unit_), Adjusted{ray, power});
-    if (!is_new && power < found->second.power) // the least has the most room above
-        found->second = {ray, power};
+    int const order = order_of(share, unit_);
+    auto const [found, is_new] = by_order_.try_emplace(order, Adjusted{ray, share});
+    // the least of an order has the most room above; of those that are finer than the unit the greatest bears
+    // a unit best
+    bool const better = order > unit_.exponent ? share < found->second.power : share > found->second.power;
+    if (!is_new && better)
+        found->second = {ray, share};
 }
 
 void WeightedShares::close(double power) {
@@ -88,7 +85,7 @@ void WeightedShares::close(double power) {
 
 double WeightedShares::of(std::uint64_t ray, double share) const {
     auto const found = adjusted_.find(ray);
-    return found != adjusted_.end() ? found->second : rounded(share);
+    return found != adjusted_.end() ? found->second : share;
 }
 
 } // namespace sahl

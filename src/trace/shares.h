@@ -36,8 +36,6 @@ class WeightedShares {
     double of(std::uint64_t ray, double share) const;
 
   private:
-    double rounded(double share) const;
-
     SumUnit unit_;
     ExactSum sum_;
     struct Adjusted {

@@ -78,7 +78,7 @@ std::vector<Mistake> mistakes() {
         {"an unknown glass",
          3,
          ball + "medium = \"N-BK77\"\nshape = {sphere = {radius_mm = 1}}\n",
-         {"there is no medium \"N-BK77\"", "did you mean '", "N-BK7'?"}},
+         {"there is no medium \"N-BK77\"", "did you mean '", "SCHOTT:N-BK7'"}},
         {"an unknown glass in a medium",
          1,
          "medium.m = {glass = \"SF11x\"}\n",
