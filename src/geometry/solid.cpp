@@ -40,89 +40,91 @@ Region with(Quadric const* quadric, dvec3 const& origin) {
 
 Solid::Solid(Shape const& shape) {
     auto const add = [this](Region const& region) { regions_.push_back(region); };
-    std::visit(Overloaded{
-                   [&](Sphere const& s) {
-                       add({Kind::ball, dvec3(0.0), s.radius, 0.0});
-                       high_ = dvec3(s.radius);
-                       low_ = -high_;
-                   },
-                   [&](Box const& s) {
-                       high_ = 0.5 * s.size;
-                       low_ = -high_;
-                       for (int axis = 0; axis < 3; ++axis)
-                           for (double sign : {-1.0, 1.0}) {
-                               dvec3 normal(0.0);
-                               normal[axis] = sign;
-                               add(half_space(normal, high_[axis]));
-                           }
-                   },
-                   [&](Cylinder const& s) {
-                       high_ = {s.radius, s.radius, 0.5 * s.length};
-                       low_ = -high_;
-                       add({Kind::tube, dvec3(0.0), s.radius, 0.0});
-                       add(half_space({0.0, 0.0, -1.0}, high_.z));
-                       add(half_space({0.0, 0.0, 1.0}, high_.z));
-                   },
-                   [&](Cone const& s) {
-                       double const h = std::max(s.radius, s.top_radius);
-                       high_ = {h, h, 0.5 * s.length};
-                       low_ = -high_;
-                       double const widening = (s.top_radius - s.radius) / s.length;
-                       double const apex = -0.5 * (s.top_radius + s.radius) / widening;
-                       if (widening == 0.0)
-                           add({Kind::tube, dvec3(0.0), s.radius, 0.0});
-                       else
-                           add(with(keep(cone_quadric(widening, -apex)), {0.0, 0.0, apex}));
-                       add(half_space({0.0, 0.0, -1.0}, high_.z));
-                       add(half_space({0.0, 0.0, 1.0}, high_.z));
-                   },
-                   [&](CornerCube const& s) {
-                       high_ = dvec3(s.side);
-                       for (int axis = 0; axis < 3; ++axis) {
-                           dvec3 normal(0.0);
-                           normal[axis] = -1.0;
-                           add(half_space(normal, 0.0));
-                       }
-                       double const third = 1.0 / std::sqrt(3.0);
-                       add(half_space(dvec3(third), third * s.side));
-                   },
-                   [&](QuadricBody const& s) {
-                       high_ = 0.5 * s.clip;
-                       low_ = -high_;
-                       add(with(keep(quadric_of(s)), dvec3(0.0)));
-                       add({Kind::block, high_, 0.0, 0.0});
-                   },
-                   [&](Lens const& s) {
-                       double const h = 0.5 * s.diameter;
-                       RevolvedSheet const front(front_of(s), h), back(back_of(s), h);
-                       low_ = {-h, -h, front.heights().first};
-                       high_ = {h, h, s.thickness + back.heights().second};
-                       auto const add_sheet = [&](RevolvedSheet const& surface, double vertex, double radius,
-                                                  double side, double opposite) {
-                           bool const sphere = surface.form().conic == 0.0 || radius == 0.0;
-                           add(sphere && surface.form().terms.empty()
-                                   ? sheet(vertex, radius, side, opposite)
-                                   : Region{Kind::sheet, {0.0, 0.0, vertex}, 0.0, side, keep(surface)});
-                       };
-                       add_sheet(front, 0.0, s.r1, 1.0, high_.z);
-                       add_sheet(back, s.thickness, s.r2, -1.0, low_.z);
-                       add({Kind::tube, dvec3(0.0), h, 0.0});
-                   },
-                   [&](Prism const& s) {
-                       double const half = 0.5 * s.apex;
-                       double const c = std::cos(half), i = std::sin(half);
-                       high_ = {s.side * i, 0.5 * s.side * c, 0.5 * s.length};
-                       low_ = -high_;
-                       double const apex = i * high_.y; // both inclined faces hold the apex edge (0, high.y)
-                       add(half_space({-c, i, 0.0}, apex));
-                       add(half_space({c, i, 0.0}, apex));
-                       add(half_space({0.0, -1.0, 0.0}, high_.y));
-                       add(half_space({0.0, 0.0, -1.0}, high_.z));
-                       add(half_space({0.0, 0.0, 1.0}, high_.z));
-                   },
-                   [](auto const&) { assert(false && "an open shape is not a solid"); },
-               },
-               shape);
+    std::visit(
+        Overloaded{
+            [&](Sphere const& s) {
+                add({Kind::ball, dvec3(0.0), s.radius, 0.0});
+                high_ = dvec3(s.radius);
+                low_ = -high_;
+            },
+            [&](Box const& s) {
+                high_ = 0.5 * s.size;
+                low_ = -high_;
+                for (int axis = 0; axis < 3; ++axis)
+                    for (double sign : {-1.0, 1.0}) {
+                        dvec3 normal(0.0);
+                        normal[axis] = sign;
+                        add(half_space(normal, high_[axis]));
+                    }
+            },
+            [&](Cylinder const& s) {
+                high_ = {s.radius, s.radius, 0.5 * s.length};
+                low_ = -high_;
+                add({Kind::tube, dvec3(0.0), s.radius, 0.0});
+                add(half_space({0.0, 0.0, -1.0}, high_.z));
+                add(half_space({0.0, 0.0, 1.0}, high_.z));
+            },
+            [&](Cone const& s) {
+                double const h = std::max(s.radius, s.top_radius);
+                high_ = {h, h, 0.5 * s.length};
+                low_ = -high_;
+                double const widening = (s.top_radius - s.radius) / s.length;
+                double const apex = -0.5 * (s.top_radius + s.radius) / widening;
+                if (widening == 0.0)
+                    add({Kind::tube, dvec3(0.0), s.radius, 0.0});
+                else // lines are met from near the apex where it is part of the body, and has all digits
+                    add(with(keep(cone_quadric(widening, s.radius > 0.0 && s.top_radius > 0.0 ? -apex : 0.0)),
+                             {0.0, 0.0, apex}));
+                add(half_space({0.0, 0.0, -1.0}, high_.z));
+                add(half_space({0.0, 0.0, 1.0}, high_.z));
+            },
+            [&](CornerCube const& s) {
+                high_ = dvec3(s.side);
+                for (int axis = 0; axis < 3; ++axis) {
+                    dvec3 normal(0.0);
+                    normal[axis] = -1.0;
+                    add(half_space(normal, 0.0));
+                }
+                double const third = 1.0 / std::sqrt(3.0);
+                add(half_space(dvec3(third), third * s.side));
+            },
+            [&](QuadricBody const& s) {
+                high_ = 0.5 * s.clip;
+                low_ = -high_;
+                add(with(keep(quadric_of(s)), dvec3(0.0)));
+                add({Kind::block, high_, 0.0, 0.0});
+            },
+            [&](Lens const& s) {
+                double const h = 0.5 * s.diameter;
+                RevolvedSheet const front(front_of(s), h), back(back_of(s), h);
+                low_ = {-h, -h, front.heights().first};
+                high_ = {h, h, s.thickness + back.heights().second};
+                auto const add_sheet = [&](RevolvedSheet const& surface, double vertex, double radius,
+                                           double side, double opposite) {
+                    bool const sphere = surface.form().conic == 0.0 || radius == 0.0;
+                    add(sphere && surface.form().terms.empty()
+                            ? sheet(vertex, radius, side, opposite)
+                            : Region{Kind::sheet, {0.0, 0.0, vertex}, 0.0, side, keep(surface)});
+                };
+                add_sheet(front, 0.0, s.r1, 1.0, high_.z);
+                add_sheet(back, s.thickness, s.r2, -1.0, low_.z);
+                add({Kind::tube, dvec3(0.0), h, 0.0});
+            },
+            [&](Prism const& s) {
+                double const half = 0.5 * s.apex;
+                double const c = std::cos(half), i = std::sin(half);
+                high_ = {s.side * i, 0.5 * s.side * c, 0.5 * s.length};
+                low_ = -high_;
+                double const apex = i * high_.y; // both inclined faces hold the apex edge (0, high.y)
+                add(half_space({-c, i, 0.0}, apex));
+                add(half_space({c, i, 0.0}, apex));
+                add(half_space({0.0, -1.0, 0.0}, high_.y));
+                add(half_space({0.0, 0.0, -1.0}, high_.z));
+                add(half_space({0.0, 0.0, 1.0}, high_.z));
+            },
+            [](auto const&) { assert(false && "an open shape is not a solid"); },
+        },
+        shape);
     convex_ = std::none_of(regions_.begin(), regions_.end(), [](Region const& r) {
         return r.kind == Kind::dome || r.kind == Kind::bowl || has_own_chords(r);
     });

@@ -85,19 +85,26 @@ void Scatter::close_ray() {
     auto const square = [&](double x) { squared_differences_.add(x * x, square_unit_); };
     if (previous_ray_ && *previous_ray_ + 1 == *ray_) {
         square(ray_power_ - previous_power_);
-    } else { // rays in between brought nothing
+    } else { // rays in between, or before, brought nothing
         square(previous_power_);
-        square(ray_power_);
+        if (*ray_ > 0)
+            square(ray_power_);
     }
     previous_ray_ = ray_;
     previous_power_ = ray_power_;
 }
 
-double Scatter::sigma() const {
+double Scatter::sigma(std::uint64_t rays) const {
     Scatter closed(*this);
     closed.close_ray();
-    return std::sqrt(0.5 * (closed.squared_differences_.value(square_unit_) +
-                            closed.previous_power_ * closed.previous_power_));
+    double const last = closed.previous_power_;
+    if (rays < 2) // nothing to compare with
+        return last;
+    double const inner = closed.squared_differences_.value(square_unit_);
+    bool const to_the_end = closed.previous_ray_ && *closed.previous_ray_ + 1 == rays;
+    auto const n = static_cast<double>(rays);
+    return std::sqrt(0.5 * (inner + (to_the_end ? 0.0 : last * last)) * n /
+                     (n - 1.0)); // n − 1 pairs of neighbours
 }
 
 std::vector<double> DetectorRecord::irradiance() const {

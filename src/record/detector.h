@@ -65,7 +65,8 @@ class Scatter {
   public:
     explicit Scatter(SumUnit power_unit) : square_unit_{2 * power_unit.exponent + 90} {}
     void add(std::uint64_t ray, double power); // in the order of rays
-    double sigma() const;
+    /// rays   that were emitted, from number 0 on: outside them there is nothing to differ from
+    double sigma(std::uint64_t rays) const;
 
   private:
     void close_ray();
@@ -91,7 +92,7 @@ class DetectorRecord {
     double peak() const; // W/m²
     /// Standard error of the power where branches were drawn at random: from how much neighbouring rays
     /// differ, which also counts what they differ in truth, so it does not promise too much.
-    double sigma() const { return scatter_.sigma(); }
+    double sigma(std::uint64_t rays) const { return scatter_.sigma(rays); }
     DetectorSpec const& spec() const { return spec_; }
     SumUnit unit() const { return unit_; }
 

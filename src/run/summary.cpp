@@ -77,13 +77,13 @@ void add_extras(Table& table, DetectorRecord const& record, WavelengthTable cons
 }
 
 Value detector_figures(DetectorRecord const& record, Scene const& scene, WavelengthTable const& optics,
-                       Experiment const& experiment, Tally const& tally) {
+                       Experiment const& experiment, Tally const& tally, std::uint64_t rays) {
     SumUnit const unit = tally.unit;
     Value value = figures(record.all(), unit, record.spec().kind);
     Table& table = std::get<Table>(value.data);
     double const power = record.all().power.value(unit);
     bool const random = experiment.trace.branch == BranchPolicy::roulette;
-    double const sigma = random ? record.sigma() : 0.0;
+    double const sigma = random ? record.sigma(rays) : 0.0;
     DetectorSpec const& spec = record.spec();
     bool const once = spec.absorbs || spec.kind == DetectorKind::sphere; // no light comes twice
     Value const high = once ? of(power + tally.cut.value(unit) + tally.error.value(unit) + sigma)
@@ -213,7 +213,7 @@ Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTab
     Table detectors;
     for (DetectorRecord const& record : outcome.detectors)
         detectors.emplace_back(record.spec().name,
-                               detector_figures(record, scene, optics, experiment, tally));
+                               detector_figures(record, scene, optics, experiment, tally, outcome.rays));
     std::vector<std::string> const failures = failures_of(experiment, outcome);
     return of(Table{
         {"title", of(experiment.title)},

@@ -31,14 +31,13 @@ struct Walk {
     dvec3 origin, direction;
 };
 
-/// A cone's tip has no normal: how light is reflected there, nobody can say. Nearby, the place of a grazing
-/// crossing is known to some rounding over the slope, which is not small beside the cone's own width.
+/// A cone's tip has no normal: how light is reflected there, nobody can say.
 bool at_tip(Room const& room, dvec3 const& point) {
     auto const* const cone = std::get_if<Cone>(&room.shape);
     if (!cone || (cone->radius > 0.0 && cone->top_radius > 0.0))
         return false;
     dvec3 const tip(0.0, 0.0, cone->radius > 0.0 ? 0.5 * cone->length : -0.5 * cone->length);
-    return length(room.to_local.point(point) - tip) < 1e6 * room.ulp;
+    return length(room.to_local.point(point) - tip) < 1e3 * room.ulp;
 }
 
 /// Reflects the ray within the body `bounces` times.

@@ -48,12 +48,12 @@ TEST_CASE("a detector without light has no spot, no peak and no sigma") {
     DetectorRecord const record(screen(4, 2), watt, 1, 1);
     CHECK(!spot_of(record.all(), watt));
     CHECK(record.peak() == 0.0);
-    CHECK(record.sigma() == 0.0);
+    CHECK(record.sigma(2) == 0.0);
     CHECK(record.irradiance() == std::vector<double>(8, 0.0));
     DetectorRecord dark(screen(4, 2), watt, 1, 1);
     dark.add(hit_at({0.0, 0.0}, 0.0)); // a ray without power
     CHECK(!spot_of(dark.all(), watt));
-    CHECK(dark.sigma() == 0.0);
+    CHECK(dark.sigma(2) == 0.0);
 }
 
 TEST_CASE("centroid, rms radius, mean direction and path are the power's") {
@@ -161,14 +161,14 @@ TEST_CASE("sigma is 0 for light that is the same in every ray, and right for lig
         if (dice.uniform() < 0.3)
             drawn.add(hit_at({0.0, 0.0}, 1.0 / rays, k));
     }
-    // only the first and the last ray differ from their neighbours outside: half of each one's square
-    CHECK(even.sigma() <= 1.0001 / rays);
+    CHECK(even.sigma(rays) == 0.0);
     // the sum of `rays` draws with chance 0.3
-    CHECK(drawn.sigma() == Approx(std::sqrt(0.3 * 0.7 / rays)).epsilon(0.05));
+    CHECK(drawn.sigma(rays) == Approx(std::sqrt(0.3 * 0.7 / rays)).epsilon(0.05));
 }
 
 TEST_CASE("one ray's sigma is its own power at most") {
     DetectorRecord record(screen(1, 1), watt, 1, 1);
     record.add(hit_at({0.0, 0.0}, 0.5, 7));
-    CHECK(record.sigma() == Approx(0.5));
+    CHECK(record.sigma(1) == Approx(0.5));
+    CHECK(record.sigma(100) == Approx(0.5 * std::sqrt(100.0 / 99.0)));
 }

@@ -240,7 +240,7 @@ TEST_CASE("over 400 seeds the truth lies within one sigma as often as it should"
     std::string const scene =
         "[medium]\nglass = {n = 2}\n[trace]\nbranch = \"roulette\"\nsplit_until = 1\n"
         "min_power = 0\n[[object]]\nname = \"plate\"\nmedium = \"glass\"\n"
-        "shape = {box = {size_mm = [9, 9, 3]}}\n[[source]]\nname = \"r\"\n"
+        "shape = {box = {size_mm = [90, 90, 3]}}\n[[source]]\nname = \"r\"\n"
         "beam = {from_mm = [0, 0, -10], toward = [0.6, 0, 1], radius_mm = 1, rays = 2000}\n" +
         white_wall + "size_mm = [90, 90]\n";
     double const truth = number_at(
