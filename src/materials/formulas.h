@@ -22,8 +22,8 @@ namespace sahl {
 /// coefficients.
 std::optional<Dispersion> page_formula(int number, std::span<double const> coefficients);
 
-/// Formula 1 to 13 of AGF files, λ in µm, as OpticStudio's help defines them; coefficients that are missing
-/// are 0:
+/// Formula 1 to 13 of AGF files, λ in µm, as open programs read them (of formula 4 COMSOL); coefficients that
+/// are missing are 0:
 ///   1 Schott, 2 Sellmeier 1, 3 Herzberger, 4 Sellmeier 2, 5 Conrady, 6 Sellmeier 3, 7 and 8 Handbook of
 ///   Optics 1 and 2, 9 Sellmeier 4, 10 Extended, 11 Sellmeier 5, 12 Extended 2, 13 Extended 3.
 /// Empty for any other number, and for more than ten coefficients.
