@@ -48,9 +48,6 @@ sahl_need(SAHL_PRIVATE_LIBRARIES "tinyobjloader, in double precision" libtinyobj
 find_package(tomlplusplus CONFIG QUIET)
 sahl_need(SAHL_PRIVATE_LIBRARIES "toml++" libtomlplusplus-dev tomlplusplus::tomlplusplus)
 
-find_package(OpenSSL QUIET COMPONENTS Crypto)
-sahl_need(SAHL_PRIVATE_LIBRARIES "OpenSSL's libcrypto" libssl-dev OpenSSL::Crypto)
-
 # OpenImageIO's own CMake files ask, on Debian, for targets that no package has. Of HDF5 only the serial build will do,
 # and the plain name `hdf5` may be the one for MPI.
 find_package(PkgConfig QUIET)

@@ -1,6 +1,8 @@
 // Figures, never asserted: segments a second in one exact glass sphere, full split to 1e-4, one thread, log
 // off; beside it a closed-form loop that does the same rays and nothing else. CPU seconds of the thread,
 // median of several rounds.
+#include "support/cpu_clock.h"
+
 #include "run/run.h"
 #include "trace/tracer.h"
 
@@ -8,21 +10,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <vector>
 
 namespace {
 
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
+using sahl::bench::cpu_seconds;
+using sahl::bench::median;
 
 /// By symmetry every meeting of one ray with the sphere has the same angles: the tree is a geometric series.
 std::uint64_t closed_form(double n, double height, double limit, double& sum) {

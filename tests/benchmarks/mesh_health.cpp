@@ -1,25 +1,18 @@
 // Figures, never asserted: the CPU seconds of one thread that a health report costs on a torus of 900 000
 // triangles, without normals and with, beside make_mesh on the same triangles. Median of several rounds.
+#include "support/cpu_clock.h"
+
 #include "geometry/mesh_health.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <numbers>
 
 namespace {
 
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
+using sahl::bench::cpu_seconds;
+using sahl::bench::median;
 
 sahl::TriangleSoup torus(std::uint32_t around, std::uint32_t across, bool normals) {
     sahl::TriangleSoup soup;

@@ -11,7 +11,7 @@ namespace {
 
 /// Edges are moved outward by this many ulp of the mesh's size. Rounding the line and the corners to float
 /// moves them against each other by 3 ulp at the most; the rest keeps that true of what the line sees of a
-/// triangle that it meets at a slope of a tenth.
+/// triangle, and joins what is lifted at an edge, where it is met at a slope of a tenth or more.
 constexpr double growth_ulps = 64.0;
 
 /// Triangles are lifted outward by this many ulp of the mesh's size: a line that cuts off a corner so thin
@@ -27,7 +27,7 @@ constexpr double sure_slope = 0.02;
 constexpr double t_ulps = 16.0;
 
 /// How much more of the line than was asked for is searched on either side, as a share of the mesh's size:
-/// room for that error at slopes down to 1e-4.
+/// room for that error at slopes down to 1e-3.
 constexpr double margin_share = 1.0 / 1024.0;
 
 struct Query {

@@ -31,7 +31,7 @@ class TriangleTree {
     /// Calls visitor(Proposal) for the triangles that the line meets between reach.from and `to`; it returns
     /// the new `to`, below the last one, where it takes the triangle, and ∞ where it does not. What lies a
     /// little before reach.from or behind `to` may be proposed too.
-    /// Left out are at most triangles that the line meets at less than 1e-4 rad, where Embree's t has no
+    /// Left out are at most triangles that the line meets at less than 1e-3 rad, where Embree's t has no
     /// digits. A line that is not finite meets nothing.
     template <class Visitor>
     void visit(dvec3 const& origin, dvec3 const& direction, Reach reach, Visitor&& visitor) const {
