@@ -126,6 +126,15 @@ struct MeshTree::Projected {
         v = a.x * c.y - a.y * c.x;
         w = b.x * a.y - b.y * a.x;
     }
+    /// Does the line pass through the triangle, and then into what it bounds? Never through none or both of
+    /// two that share an edge.
+    std::optional<bool> passed() const {
+        auto const& [a, b, c] = flat;
+        bool const positive = is_positive(u, b, c);
+        if (is_positive(v, c, a) != positive || is_positive(w, a, b) != positive)
+            return std::nullopt;
+        return positive;
+    }
     /// Does the line pass some edge, or its end, within `distance`? Beyond the ends of an edge it may say so
     /// too.
     bool close_to_border(double distance) const {
@@ -144,17 +153,12 @@ struct MeshTree::Projected {
 };
 
 std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t triangle) const {
-    return meet(line, Projected(line, corners_[triangle]), triangle);
-}
-
-std::optional<MeshCrossing> MeshTree::meet(Line const& line, Projected const& seen,
-                                           std::uint32_t triangle) const {
-    auto const& [a, b, c] = seen.flat;
-    bool const positive = is_positive(seen.u, b, c);
-    if (is_positive(seen.v, c, a) != positive || is_positive(seen.w, a, b) != positive)
+    Projected const seen(line, corners_[triangle]);
+    auto const enters = seen.passed();
+    if (!enters)
         return std::nullopt;
     MeshCrossing crossing = crossing_of(line, seen, triangle);
-    crossing.enters = positive;
+    crossing.enters = *enters;
     return crossing;
 }
 
@@ -222,26 +226,30 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
             return no;
         }
         Projected const seen(line, corners_[proposal.triangle]);
-        auto const c = meet(line, seen, proposal.triangle);
-        if (!c || proposal.sense == 0 || seen.close_to_border(edge))
-            doubt = std::min(doubt, c ? c->t : proposal.t - blur);
-        if (!c)
+        auto const enters = seen.passed();
+        if (!enters) {
+            doubt = std::min(doubt, proposal.t - blur);
             return no;
-        double const distance = (c->t - reach.from) * c->slope;
+        }
+        MeshCrossing c = crossing_of(line, seen, proposal.triangle);
+        c.enters = *enters;
+        if (proposal.sense == 0 || seen.close_to_border(edge))
+            doubt = std::min(doubt, c.t);
+        double const distance = (c.t - reach.from) * c.slope;
         if (distance <= rounding) { // at the start, or behind it
-            bool const far = (c->t - reach.from) * unit > far_behind * rounding;
-            doubtful = doubtful || (distance >= -rounding && (c->enters != in || far));
+            bool const far = (c.t - reach.from) * unit > far_behind * rounding;
+            doubtful = doubtful || (distance >= -rounding && (c.enters != in || far));
             return no;
         }
-        if (c->enters == in) {
-            unfit = std::min(unfit, c->t - 2.0 * c->blur(rounding));
+        if (c.enters == in) {
+            unfit = std::min(unfit, c.t - 2.0 * c.blur(rounding));
             return no;
         }
-        if (std::pair(c->t, c->triangle) < std::pair(best.t, best.triangle))
-            best = *c;
+        if (std::pair(c.t, c.triangle) < std::pair(best.t, best.triangle))
+            best = c;
         return best.t + 2.0 * best.blur(rounding);
     };
-    triangles_.visit(origin, direction, {reach.from, end}, visitor);
+    triangles_.visit(origin, direction, unit, {reach.from, end}, visitor);
     bool const nothing = best.t == INFINITY;
     double const first_doubt = std::min(unfit, doubt);
     doubtful = doubtful || (nothing ? in_some || first_doubt < INFINITY

@@ -80,7 +80,6 @@ class MeshTree {
     struct Line;
     struct Projected;
     std::optional<MeshCrossing> meet(Line const& line, std::uint32_t triangle) const;
-    std::optional<MeshCrossing> meet(Line const& line, Projected const& seen, std::uint32_t triangle) const;
     MeshCrossing crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const;
     std::vector<MeshCrossing> all(Line const& line, double from, double rounding) const;
     /// Where a line contradicts what the ray is in: the nearest triangle that fits and that the line misses

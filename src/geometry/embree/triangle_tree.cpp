@@ -27,8 +27,8 @@ constexpr double sure_slope = 0.02;
 constexpr double t_ulps = 16.0;
 
 /// How much more of the line than was asked for is searched on either side, as a share of the mesh's size:
-/// room for that error at slopes down to 1e-3.
-constexpr double margin_share = 1.0 / 1024.0;
+/// room for that error at slopes down to 4e-3.
+constexpr double margin_share = 1.0 / 4096.0;
 
 struct Query {
     Context embree;
@@ -156,10 +156,9 @@ double TriangleTree::blur() const {
     return t_ulps / sure_slope * float_ulp * state_->size;
 }
 
-void TriangleTree::visit_triangles(dvec3 const& origin, dvec3 const& direction, Reach reach,
+void TriangleTree::visit_triangles(dvec3 const& origin, dvec3 const& direction, double unit, Reach reach,
                                    Callback callback, void* context) const {
     State const& state = *state_;
-    double const unit = length(direction);
     if (!state.scene || !(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(dot(origin, origin)))
         return;
     dvec3 const start = origin - state.centre;

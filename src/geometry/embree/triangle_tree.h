@@ -28,16 +28,18 @@ class TriangleTree {
     TriangleTree& operator=(TriangleTree&&) noexcept;
     ~TriangleTree();
 
+    /// unit   length of the direction, which the caller has
     /// Calls visitor(Proposal) for the triangles that the line meets between reach.from and `to`; it returns
     /// the new `to`, below the last one, where it takes the triangle, and ∞ where it does not. What lies a
     /// little before reach.from or behind `to` may be proposed too.
-    /// Left out are at most triangles that the line meets at less than 1e-3 rad, where Embree's t has no
+    /// Left out are at most triangles that the line meets at less than 4e-3 rad, where Embree's t has no
     /// digits. A line that is not finite meets nothing.
     template <class Visitor>
-    void visit(dvec3 const& origin, dvec3 const& direction, Reach reach, Visitor&& visitor) const {
+    void visit(dvec3 const& origin, dvec3 const& direction, double unit, Reach reach,
+               Visitor&& visitor) const {
         using Plain = std::remove_reference_t<Visitor>;
         visit_triangles(
-            origin, direction, reach,
+            origin, direction, unit, reach,
             [](void* context, Proposal const& proposal) { return (*static_cast<Plain*>(context))(proposal); },
             const_cast<void*>(static_cast<void const*>(&visitor)));
     }
@@ -47,8 +49,8 @@ class TriangleTree {
 
   private:
     using Callback = double (*)(void* context, Proposal const& proposal);
-    void visit_triangles(dvec3 const& origin, dvec3 const& direction, Reach reach, Callback callback,
-                         void* context) const;
+    void visit_triangles(dvec3 const& origin, dvec3 const& direction, double unit, Reach reach,
+                         Callback callback, void* context) const;
 
     struct State;
     std::unique_ptr<State> state_;
