@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the models of this folder but for the bunny: balls, biconvex lenses, a prism, light guides. See README.md.
+"""Writes the models of this folder but for the bunny: balls, biconvex lenses, prisms, light guides. See README.md.
 
 Usage: make_models.py [--check]     --check compares with the files that are there, and writes nothing
 
@@ -11,8 +11,9 @@ import math
 import sys
 from pathlib import Path
 
+import polyhedra
 from light_guides import bent_guide, box
-from model_files import Body, Face, document, glb, gltf, obj, unit
+from model_files import INDEX, Body, Face, document, glb, gltf, obj, unit
 
 FOLDER = Path(__file__).resolve().parent
 MM = 1e-3  # glTF is in metres
@@ -141,6 +142,11 @@ def models():
     guide = Body("bent-guide", bent_guide(5 * MM, 10 * MM, 10 * MM, 64), 5 * MM)
     files["bent-guide.glb"] = glb(*document([guide]))
     files["bent-guide.obj"], files["bent-guide.mtl"] = obj(guide, "bent-guide.mtl")
+    files[polyhedra.LIBRARY] = polyhedra.library(INDEX)
+    files["dove.obj"] = polyhedra.obj("dove", polyhedra.dove(42.6, 10.0760411697982, 12))
+    files["pellin-broca.obj"] = polyhedra.obj("pellin-broca", polyhedra.pellin_broca(40, 16.7, 20))
+    files["penta.obj"] = polyhedra.obj("penta", polyhedra.penta(20, 20), ("first", "second"))
+    files["roof.obj"] = polyhedra.obj("roof", polyhedra.roof(20))
     return files
 
 
