@@ -1,9 +1,9 @@
-// The commands that look at something: check an experiment or model, explain a ray, export a log.
+// The commands that look at something: check an experiment or model, explain a ray.
 #include "cli/commands.h"
 
 #include "math/input_error.h"
 #include "record/explain.h"
-#include "record/export_csv.h"
+#include "record/ray_log.h"
 #include "run/check.h"
 #include "scene/read_model.h"
 
@@ -56,24 +56,6 @@ void add_explain(CLI::App& app, int& status) {
                              reader.rays() == 0 ? "the log is empty"
                                                 : "its last is ray " + std::to_string(reader.rays() - 1));
         std::cout << explain_ray(reader.header(), tree);
-        status = 0;
-    });
-}
-
-void add_export(CLI::App& app, int& status) {
-    struct Arguments {
-        std::string log, to;
-    };
-    auto arguments = std::make_shared<Arguments>();
-    CLI::App* const command = app.add_subcommand("export", "A log's rays in another format");
-    command->add_option("log", arguments->log, "The folder of a run, or its rays.h5")->required();
-    command->add_option("--to", arguments->to, "The file to write: .csv")->required();
-    command->callback([arguments, &status] {
-        std::filesystem::path const to = arguments->to;
-        if (to.extension() != ".csv")
-            throw InputError(to.string(), "this version exports to .csv only",
-                             "give a name that ends in .csv");
-        export_csv(RayLogReader(arguments->log), to);
         status = 0;
     });
 }

@@ -19,7 +19,6 @@ namespace {
 
 constexpr unsigned most_cells = 256; // along a side: their nodes' values fill 136 MB
 constexpr double near_a_node = 0.2;  // of an edge: cells keep their orientation up to a half
-constexpr std::uint32_t none = ~0U;
 
 using Step = std::array<int, 3>;
 /// The edges of a cell's six tetrahedra about its long diagonal (Kuhn), each once, from its lower node.

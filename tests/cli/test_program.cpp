@@ -67,6 +67,11 @@ TEST_CASE("trace writes a run, explain and export read its log") {
     CHECK(shell.run("export out/ball --to paths.csv") == 0);
     CHECK(shell.text("paths.csv").rfind("ray,segment,parent,depth,born,ended,surface", 0) == 0);
     CHECK(shell.run("export out/ball --to paths.xyz") == 3);
+    CHECK(shell.run("export ball.toml --to ball.glb --fineness 60") == 0);
+    CHECK(shell.text("ball.glb").rfind("glTF", 0) == 0);
+    CHECK(shell.run("export ball.toml --to ball.csv") == 3);
+    CHECK(shell.run("export ball.toml --to ball.glb --fineness 5") == 2);
+    CHECK(shell.run("export out/ball --to paths.csv --set trace.seed=2") == 3);
 }
 
 TEST_CASE("the summary goes to standard output as JSON, and nothing else does") {

@@ -1,0 +1,73 @@
+// The command that writes what there is in another format: an experiment's bodies, a log's rays.
+#include "cli/commands.h"
+
+#include "geometry/tessellate.h"
+#include "math/input_error.h"
+#include "record/export_csv.h"
+#include "run/export_model.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace sahl {
+
+namespace {
+
+struct ExportArguments {
+    std::string from, to;
+    std::vector<std::string> set;
+    unsigned fineness = 120;
+};
+
+bool is_experiment(std::filesystem::path const& file) {
+    return file.extension() == ".toml" || file.extension() == ".json";
+}
+
+void export_bodies(ExportArguments const& arguments) {
+    std::filesystem::path const to = arguments.to;
+    if (to.extension() != ".glb")
+        throw InputError(to.string(), "an experiment's bodies are written as .glb only",
+                         "give a name that ends in .glb; for rays trace it with a log, and export the run");
+    export_model(load_experiment(arguments.from, arguments.set), arguments.fineness, to);
+}
+
+void export_rays(ExportArguments const& arguments) {
+    std::filesystem::path const to = arguments.to;
+    if (!arguments.set.empty())
+        throw InputError(arguments.from, "--set goes with an experiment, and this is a log",
+                         "give the experiment, or leave --set away");
+    if (to.extension() != ".csv")
+        throw InputError(to.string(), "this version exports rays to .csv only",
+                         "give a name that ends in .csv");
+    export_csv(RayLogReader(arguments.from), to);
+}
+
+} // namespace
+
+void add_export(CLI::App& app, int& status) {
+    auto arguments = std::make_shared<ExportArguments>();
+    CLI::App* const command =
+        app.add_subcommand("export", "An experiment's bodies, or a log's rays, in another format");
+    command->add_option("from", arguments->from, "An experiment file; or the folder of a run, or its rays.h5")
+        ->required();
+    command->add_option("--to", arguments->to, "The file to write: .glb of an experiment; .csv of a log")
+        ->required();
+    command
+        ->add_option("--fineness", arguments->fineness,
+                     "Of exact shapes: into how many pieces a full turn is cut")
+        ->check(CLI::Range(coarsest_turn, finest_turn))
+        ->capture_default_str();
+    command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->callback([arguments, &status] {
+        if (is_experiment(arguments->from))
+            export_bodies(*arguments);
+        else
+            export_rays(*arguments);
+        status = 0;
+    });
+}
+
+} // namespace sahl
