@@ -22,10 +22,16 @@ PLOTS = {
         "The scene seen from +x",
         ["source.fan.power_W=1", "source.lamp.power_W=1e-9", "source.lamp.point.rays=1", "trace.min_power=0.3"],
     ),
+    "cartesian-oval": (
+        "The scene seen from −x",
+        ["source.fan to the oval.power_W=1", "source.fan to the ellipsoid.power_W=1", "trace.min_power=0.3"]
+        + ["source.point.point.rays=1", "source.point.power_W=1e-9", "source.beam.beam.rays=1"],
+    ),
     "cassegrain": (
         "The scene seen from +y",
         ["source.fan.power_W=1", "source.star.beam.rays=1", "source.companion.beam.rays=1"],
     ),
+    "corner-cube": ("detectors/far away.png", []),
     "dove-prism": ("detectors/image.png", []),
     "mirror-caustic": ("The scene seen from −y", []),
     "pellin-broca": ("The scene seen from +z", ["trace.min_power=0.1", "source.lamp.beam.rays=1"]),

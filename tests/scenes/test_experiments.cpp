@@ -92,7 +92,7 @@ TEST_CASE("every experiment passes, and its log tells the ledger of its summary"
             check_ledger(out.path() / "out");
         ++found;
     }
-    CHECK(found >= 20);
+    CHECK(found >= 23);
 }
 
 TEST_CASE("the prism experiment finds the least deviation", "[slow]") {

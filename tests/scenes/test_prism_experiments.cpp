@@ -128,3 +128,53 @@ TEST_CASE("the roof prism experiment turns an image over and round, and doubles 
     CHECK(left > all / 3);
     CHECK(left < 2 * all / 3);
 }
+
+TEST_CASE("the corner cube experiment returns six beams, each where its three reflections send it") {
+    Run const run = run_of("corner-cube", {});
+    struct Beam {
+        char const* faces; // in the order in which they are met
+        dvec3 arcsec;      // the part of the direction across the axis, outside
+    };
+    Beam const beams[] = {{"xyz", {22.7694555637867, -28.023122739979, 5.25366717619236}},
+                          {"xzy", {22.7686743667916, -7.00650670801274, -15.7621676587788}},
+                          {"yxz", {-12.2595398499249, 7.00485373967383, 5.25468611025111}},
+                          {"yzx", {-22.7683064034425, 7.0048876667081, 15.7634187367344}},
+                          {"zxy", {12.2594323012725, -7.00592926374339, -5.25350303752908}},
+                          {"zyx", {-22.7695631107928, 28.0230661302079, -5.25350301941512}}};
+    dvec3 const axis = normalize(dvec3(1.0));
+    std::size_t met[6] = {}, rays = 0;
+    for (std::uint64_t ray = 0; ray < 600; ++ray) {
+        Rows const path = direct_path(rows_of(run, ray));
+        if (path.size() != 6 || path[3].ended != Event::total_internal)
+            continue; // it meets an edge, or the front on its way
+        std::string faces;
+        for (std::size_t i = 1; i < 4; ++i)
+            faces += surface_at_end(run, path[i]).back();
+        for (std::size_t i = 0; i < 6; ++i)
+            if (beams[i].faces == faces) {
+                dvec3 const& d = path[5].direction;
+                dvec3 const across = radians(1.0 / 3600.0) * beams[i].arcsec;
+                // some ten roundings of a direction, 1e-16 each, and the cube's edges are given to 2e-16
+                CHECK(length(d - dot(d, axis) * axis - across) < 2e-15);
+                ++met[i];
+                ++rays;
+            }
+    }
+    CHECK(rays > 550);
+    for (std::size_t const count : met)
+        CHECK(count > 80);
+}
+
+TEST_CASE("the corner cube experiment with one right angle wrong returns two beams, 2 √(2/3) n ε away") {
+    // e = 5″, 0, 0
+    Run const run = run_of("corner-cube", {"object.cube.matrix=[1, 0, 0, 0, -2.424127168048471e-05, "
+                                           "1.0000242412716804, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]",
+                                           "source.star.beam.rays=60"});
+    for (std::uint64_t ray = 0; ray < 60; ++ray) {
+        Rows const path = direct_path(rows_of(run, ray));
+        if (path.size() != 6)
+            continue;
+        double const off = radians(angle_deg(path[5].direction, dvec3(1.0)));
+        CHECK(std::abs(off - radians(12.384620140888563 / 3600.0)) < 2e-15);
+    }
+}
