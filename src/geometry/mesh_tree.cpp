@@ -1,7 +1,9 @@
 #include "geometry/mesh_tree.h"
 
 #include "geometry/mesh_stations.h"
+#include "geometry/sheared_line.h"
 #include "geometry/triangle.h"
+#include "math/inline_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +15,21 @@ namespace sahl {
 
 namespace {
 
-/// Corners by triangle, anticlockwise seen from outside the volume that the shell encloses.
-std::vector<TriangleCorners> corners_of(Mesh const& mesh) {
-    std::vector<TriangleCorners> corners;
-    corners.reserve(mesh.soup.triangles.size());
-    for (std::size_t t = 0; t < mesh.soup.triangles.size(); ++t) {
-        auto [a, b, c] = mesh.soup.triangles[t];
+/// The mesh's triangles, anticlockwise seen from outside the volume that the shell encloses.
+std::vector<std::array<std::uint32_t, 3>> outward(Mesh const& mesh) {
+    auto triangles = mesh.soup.triangles;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
         if (mesh.shells[mesh.triangle_shell[t]].sign < 0)
-            std::swap(b, c);
-        corners.push_back({mesh.soup.positions[a], mesh.soup.positions[b], mesh.soup.positions[c]});
-    }
+            std::swap(triangles[t][1], triangles[t][2]);
+    return triangles;
+}
+
+std::vector<TriangleCorners> corners_of(TriangleSoup const& soup,
+                                        std::vector<std::array<std::uint32_t, 3>> const& triangles) {
+    std::vector<TriangleCorners> corners;
+    corners.reserve(triangles.size());
+    for (auto const& [a, b, c] : triangles)
+        corners.push_back({soup.positions[a], soup.positions[b], soup.positions[c]});
     return corners;
 }
 
@@ -59,101 +66,36 @@ MeshAnswer change_of(std::vector<Station> const& stations, bool inside, double f
     return {std::nullopt, inside ? from : INFINITY}; // a closed shell is left somewhere
 }
 
-/// Is `c × b` positive for a line moved from (0, 0) by a little in x, and by much less in y? So a line
-/// through an edge passes on one side of it, the same for both its triangles, and a line through a vertex
-/// through one of them (H. Edelsbrunner, E. P. Mücke, Simulation of Simplicity, ACM Trans. Graph. 9 (1990)
-/// 66).
-bool is_positive(double product, dvec2 const& b, dvec2 const& c) {
-    return product != 0.0 ? product > 0.0 : c.y != b.y ? c.y > b.y : b.x > c.x;
+/// t of the nearest corner.
+double nearest_corner(dvec3 const& origin, dvec3 const& direction, TriangleCorners const& corners) {
+    auto const t_of = [&](dvec3 const& p) { return dot(direction, p - origin); };
+    return std::min({t_of(corners[0]), t_of(corners[1]), t_of(corners[2])}) / dot(direction, direction);
 }
 
 } // namespace
 
-/// A line made ready for the watertight test: sheared so that it runs along the third of its permuted axes
-/// (S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2 (2013) 65). An edge that two
-/// triangles share gives both the same number with the opposite sign, exactly.
-struct MeshTree::Line {
-    dvec3 origin, direction;
-    int kx, ky, kz;
-    double shear_x, shear_y, shear_z;
-
-    Line(dvec3 const& from, dvec3 const& along) : origin(from), direction(along) {
-        dvec3 const size = glm::abs(along);
-        kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-        kx = (kz + 1) % 3;
-        ky = (kx + 1) % 3;
-        if (along[kz] < 0.0)
-            std::swap(kx, ky); // keeps the winding
-        shear_x = along[kx] / along[kz];
-        shear_y = along[ky] / along[kz];
-        shear_z = 1.0 / along[kz];
-    }
-};
-
 MeshTree::MeshTree(std::shared_ptr<Mesh const> mesh)
-    : mesh_(std::move(mesh)), corners_(corners_of(*mesh_)), triangles_(corners_) {}
+    : mesh_(std::move(mesh)), outward_(outward(*mesh_)), triangles_(corners_of(mesh_->soup, outward_)) {}
 
 BoxTree const& MeshTree::boxes() const {
     // in a thread of its own: one that traces would, while Embree builds, take up other rays and come here
     // again
-    std::call_once(boxes_built_,
-                   [this] { std::thread([this] { boxes_.emplace(bounds_of(corners_)); }).join(); });
+    std::call_once(boxes_built_, [this] {
+        std::thread([this] { boxes_.emplace(bounds_of(corners_of(mesh_->soup, outward_))); }).join();
+    });
     return *boxes_;
 }
 
 dvec3 MeshTree::normal(std::uint32_t triangle) const {
-    return normal_of(corners_[triangle]);
+    return normal_of(corners(triangle));
 }
 
 dvec3 MeshTree::onto(std::uint32_t triangle, dvec3 const& point) const {
-    return onto_triangle(corners_[triangle], point);
+    return onto_triangle(corners(triangle), point);
 }
 
-/// A triangle seen along a line.
-struct MeshTree::Projected {
-    std::array<dvec3, 3> corners; // from the line's origin
-    std::array<dvec2, 3> flat;    // across the line
-    double u, v, w;               // twice the signed areas between the line and each edge
-
-    Projected(Line const& line, TriangleCorners const& triangle) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            corners[i] = triangle[i] - line.origin;
-            dvec3 const& p = corners[i];
-            flat[i] = {p[line.kx] - line.shear_x * p[line.kz], p[line.ky] - line.shear_y * p[line.kz]};
-        }
-        auto const& [a, b, c] = flat;
-        u = c.x * b.y - c.y * b.x;
-        v = a.x * c.y - a.y * c.x;
-        w = b.x * a.y - b.y * a.x;
-    }
-    /// Does the line pass through the triangle, and then into what it bounds? Never through none or both of
-    /// two that share an edge.
-    std::optional<bool> passed() const {
-        auto const& [a, b, c] = flat;
-        bool const positive = is_positive(u, b, c);
-        if (is_positive(v, c, a) != positive || is_positive(w, a, b) != positive)
-            return std::nullopt;
-        return positive;
-    }
-    /// Does the line pass some edge, or its end, within `distance`? Beyond the ends of an edge it may say so
-    /// too.
-    bool close_to_border(double distance) const {
-        auto const& [a, b, c] = flat;
-        double const squared = distance * distance;
-        return u * u <= squared * dot(c - b, c - b) || v * v <= squared * dot(a - c, a - c) ||
-               w * w <= squared * dot(b - a, b - a);
-    }
-    /// Does the line pass through the triangle seen with this sense (±1), or no farther than `distance` from
-    /// it?
-    bool near(double sense, double distance) const {
-        auto const& [a, b, c] = flat;
-        return sense * u >= -distance * length(c - b) && sense * v >= -distance * length(a - c) &&
-               sense * w >= -distance * length(b - a);
-    }
-};
-
-std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t triangle) const {
-    Projected const seen(line, corners_[triangle]);
+std::optional<MeshCrossing> MeshTree::meet(ShearedLine const& line, std::uint32_t triangle) const {
+    SeenTriangle const seen(line, corners(triangle));
     auto const enters = seen.passed();
     if (!enters)
         return std::nullopt;
@@ -162,7 +104,8 @@ std::optional<MeshCrossing> MeshTree::meet(Line const& line, std::uint32_t trian
     return crossing;
 }
 
-MeshCrossing MeshTree::crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const {
+MeshCrossing MeshTree::crossing_of(ShearedLine const& line, SeenTriangle const& seen,
+                                   std::uint32_t triangle) const {
     MeshCrossing crossing;
     double const sum = seen.u + seen.v + seen.w;
     bool const turned = mesh_->shells[mesh_->shell_of(triangle)].sign < 0;
@@ -170,13 +113,15 @@ MeshCrossing MeshTree::crossing_of(Line const& line, Projected const& seen, std:
     crossing.triangle = triangle;
     // t from the plane, whose normal has its digits in needles too; within the corners' range, where the line
     // runs along the plane
-    auto const& [a, b, c] = corners_[triangle];
+    auto const [a, b, c] = corners(triangle);
     dvec3 const normal = precise_cross(b - a, c - a);
     double const along = dot(normal, line.direction), by_length = 1.0 / length(normal);
     auto const t_of = [&](std::size_t corner) { return line.shear_z * seen.corners[corner][line.kz]; };
     auto const [low, high] = std::minmax({t_of(0), t_of(1), t_of(2)});
-    crossing.t = along != 0.0 ? std::clamp(dot(normal, seen.corners[0]) / along, low, high) : low;
     crossing.slope = std::abs(along) * by_length;
+    crossing.t = along != 0.0 ? dot(normal, seen.corners[0]) / along : low;
+    if (crossing.slope < 0.5 * TriangleTree::sure_slope * length(line.direction))
+        crossing.t = std::clamp(crossing.t, low, high);
     crossing.range = high - low;
     crossing.per_metre = std::abs(line.shear_z);
     crossing.enters = along < 0.0;
@@ -184,7 +129,7 @@ MeshCrossing MeshTree::crossing_of(Line const& line, Projected const& seen, std:
     return crossing;
 }
 
-std::vector<MeshCrossing> MeshTree::all(Line const& line, double from, double rounding) const {
+std::vector<MeshCrossing> MeshTree::all(ShearedLine const& line, double from, double rounding) const {
     std::vector<MeshCrossing> crossings;
     double const start = from - far_behind * rounding / length(line.direction);
     boxes().visit(line.origin, line.direction, {start, INFINITY}, [&](std::uint32_t triangle, double to) {
@@ -199,6 +144,34 @@ std::vector<MeshCrossing> MeshTree::all(Line const& line, double from, double ro
     return crossings;
 }
 
+inline std::optional<MeshCrossing> MeshTree::meet_plainly(dvec3 const& origin, dvec3 const& direction,
+                                                          double unit, std::uint32_t triangle,
+                                                          double border) const {
+    // T. Möller, B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, J. Graphics Tools 2 (1997) 21
+    auto const [a, b, c] = corners(triangle);
+    dvec3 const ab = b - a, ac = c - a, to_a = a - origin;
+    dvec3 const normal = precise_cross(ab, ac), moment = cross(to_a, direction);
+    double const along = dot(normal, direction), sense = along < 0.0 ? -1.0 : 1.0;
+    double const v = sense * dot(moment, ac), w = -sense * dot(moment, ab), u = sense * along - v - w;
+    auto const within = [&, squared = border * border * unit * unit](double area, dvec3 const& edge) {
+        return area > 0.0 && area * area > squared * dot(edge, edge);
+    };
+    if (!(within(u, c - b) && within(v, ac) && within(w, ab)))
+        return std::nullopt;
+    MeshCrossing crossing;
+    double const by_length = 1.0 / length(normal);
+    crossing.t = dot(normal, to_a) / along;
+    crossing.slope = std::abs(along) * by_length;
+    crossing.range = INFINITY;
+    crossing.well_within = true;
+    bool const turned = mesh_->shells[mesh_->shell_of(triangle)].sign < 0;
+    crossing.uv = sense / along * (turned ? dvec2(w, v) : dvec2(v, w));
+    crossing.triangle = triangle;
+    crossing.enters = along < 0.0;
+    crossing.normal = by_length * normal;
+    return crossing;
+}
+
 MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                           double rounding) const {
     std::size_t const shells = mesh_->shells.size();
@@ -208,48 +181,54 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
     auto const is_in = [&](std::uint32_t triangle) {
         return shells == 1 ? in_some : inside[mesh_->triangle_shell[triangle]];
     };
-    Line const line(origin, direction);
     double const unit = length(direction), blur = triangles_.blur() / unit;
-    MeshCrossing best;
-    best.t = INFINITY;
-    bool doubtful = false;                            // something but plain crossings lies at the start
     double unfit = INFINITY;                          // t of the nearest crossing that contradicts `inside`
     double const end = in_some ? INFINITY : reach.to; // what the ray is in must be left somewhere
-    constexpr double no = INFINITY;
-    double const edge = edge_roundings * rounding;
-    double doubt = INFINITY; // t where a triangle is grazed, or its border passed closely
+    // what is met at a slope that float tells lies no farther beyond its t than this, with all that is at one
+    // place with it
+    double const beyond = 2.0 * blur + 4.0 / TriangleTree::sure_slope * rounding / unit;
+    InlineVector<Proposal, 16> proposals;
+    bool doubtful = false; // something but plain crossings lies at the start
     auto const visitor = [&](Proposal const& proposal) {
+        constexpr double no = INFINITY;
         bool const in = is_in(proposal.triangle);
         if (proposal.sense != 0 && (proposal.sense < 0) == in) {
             if (proposal.t > reach.from + blur) // otherwise it is the one that the ray started on
                 unfit = std::min(unfit, proposal.t - blur);
             return no;
         }
-        Projected const seen(line, corners_[proposal.triangle]);
-        auto const enters = seen.passed();
-        if (!enters) {
-            doubt = std::min(doubt, proposal.t - blur);
+        // asked for now, it is there when Embree is through: met at once, half the time was waiting for it
+        for (std::uint32_t const corner : outward_[proposal.triangle])
+            __builtin_prefetch(&mesh_->soup.positions[corner]);
+        if (proposals.full()) {
+            doubtful = true;
             return no;
         }
-        MeshCrossing c = crossing_of(line, seen, proposal.triangle);
-        c.enters = *enters;
-        if (proposal.sense == 0 || seen.close_to_border(edge))
-            doubt = std::min(doubt, c.t);
-        double const distance = (c.t - reach.from) * c.slope;
-        if (distance <= rounding) { // at the start, or behind it
-            bool const far = (c.t - reach.from) * unit > far_behind * rounding;
-            doubtful = doubtful || (distance >= -rounding && (c.enters != in || far));
-            return no;
-        }
-        if (c.enters == in) {
-            unfit = std::min(unfit, c.t - 2.0 * c.blur(rounding));
-            return no;
-        }
-        if (std::pair(c.t, c.triangle) < std::pair(best.t, best.triangle))
-            best = c;
-        return best.t + 2.0 * best.blur(rounding);
+        proposals.push_back(proposal);
+        return proposal.sense != 0 && proposal.t > reach.from + blur ? proposal.t + beyond : no;
     };
     triangles_.visit(origin, direction, unit, {reach.from, end}, visitor);
+
+    MeshCrossing best;
+    best.t = INFINITY;
+    double doubt = INFINITY; // t where a triangle is grazed, or its border passed closely
+    for (Proposal const& proposal : proposals) {
+        std::uint32_t const triangle = proposal.triangle;
+        if (proposal.sense == 0) {
+            doubt = std::min(doubt, nearest_corner(origin, direction, corners(triangle)));
+            continue;
+        }
+        auto const plain = meet_plainly(origin, direction, unit, triangle, edge_roundings * rounding);
+        if (!plain || plain->enters != (proposal.sense < 0)) {
+            doubt = std::min(doubt, proposal.t - blur);
+            continue;
+        }
+        double const distance = (plain->t - reach.from) * plain->slope;
+        if (distance <= rounding) // at the start, or behind it
+            doubtful = doubtful || distance >= -rounding;
+        else if (std::pair(plain->t, plain->triangle) < std::pair(best.t, best.triangle))
+            best = *plain;
+    }
     bool const nothing = best.t == INFINITY;
     double const first_doubt = std::min(unfit, doubt);
     doubtful = doubtful || (nothing ? in_some || first_doubt < INFINITY
@@ -264,7 +243,7 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
 
 MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                                 double rounding) const {
-    Line const line(origin, direction);
+    ShearedLine const line(origin, direction);
     MeshAnswer answer;
     std::vector<MeshCrossing> const crossings = all(line, reach.from, rounding);
     auto first = crossings.begin();
@@ -293,14 +272,14 @@ MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, Ins
     return answer;
 }
 
-std::optional<MeshCrossing> MeshTree::just_missed(Line const& line, std::uint32_t shell, bool inside,
+std::optional<MeshCrossing> MeshTree::just_missed(ShearedLine const& line, std::uint32_t shell, bool inside,
                                                   Reach reach, double rounding) const {
     std::optional<MeshCrossing> best;
     double const start = reach.from - far_behind * rounding / length(line.direction);
     boxes().visit(line.origin, line.direction, {start, reach.to}, [&](std::uint32_t triangle, double to) {
         if (mesh_->shell_of(triangle) != shell)
             return to;
-        Projected const seen(line, corners_[triangle]);
+        SeenTriangle const seen(line, corners(triangle));
         MeshCrossing c = crossing_of(line, seen, triangle);
         double const sense =
             (inside == (mesh_->shells[shell].sign > 0)) ? -1.0 : 1.0; // of a triangle that fits
@@ -314,7 +293,7 @@ std::optional<MeshCrossing> MeshTree::just_missed(Line const& line, std::uint32_
 
 std::vector<bool> MeshTree::inside(dvec3 const& origin, dvec3 const& direction, double rounding) const {
     std::vector<bool> states(mesh_->shells.size(), false);
-    std::vector<MeshCrossing> const crossings = all(Line(origin, direction), 0.0, rounding);
+    std::vector<MeshCrossing> const crossings = all(ShearedLine(origin, direction), 0.0, rounding);
     auto const shell_of = [&](MeshCrossing const& c) { return mesh_->shell_of(c.triangle); };
     for (auto first = crossings.begin(); first != crossings.end();) {
         auto const last = std::find_if(first, crossings.end(),

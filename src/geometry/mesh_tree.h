@@ -19,6 +19,9 @@
 
 namespace sahl {
 
+struct ShearedLine;
+struct SeenTriangle;
+
 struct MeshCrossing {
     double t = 0.0;
     double slope = 0.0;     // |n·d|
@@ -27,8 +30,9 @@ struct MeshCrossing {
     dvec2 uv{0.0};          // weights of the triangle's second and third corner
     dvec3 normal{0.0};      // unit, out of the volume that the shell encloses
     std::uint32_t triangle = 0;
-    bool enters = false;    // the volume that the shell encloses
-    bool recovered = false; // the line itself misses the triangle, by no more than rounding
+    bool enters = false;      // the volume that the shell encloses
+    bool recovered = false;   // the line itself misses the triangle, by no more than rounding
+    bool well_within = false; // it passes far from the border: rounding leaves its point in the triangle
 
     /// How far rounding (m, along the normal) may shift t: where the line runs along the triangle, over all
     /// of it.
@@ -75,23 +79,34 @@ class MeshTree {
     /// The point of the triangle's plane below `point`; if it lies outside the triangle, where rounding may
     /// put it at grazing incidence, one of the border.
     dvec3 onto(std::uint32_t triangle, dvec3 const& point) const;
+    /// The same where the point is well within the triangle, whose normal is known.
+    dvec3 onto(std::uint32_t triangle, dvec3 const& normal, dvec3 const& point) const {
+        return point - dot(normal, point - mesh_->soup.positions[outward_[triangle][0]]) * normal;
+    }
 
   private:
-    struct Line;
-    struct Projected;
-    std::optional<MeshCrossing> meet(Line const& line, std::uint32_t triangle) const;
-    MeshCrossing crossing_of(Line const& line, Projected const& seen, std::uint32_t triangle) const;
-    std::vector<MeshCrossing> all(Line const& line, double from, double rounding) const;
+    /// Where the line passes the triangle no closer to its border than that (m); otherwise it may or may not.
+    std::optional<MeshCrossing> meet_plainly(dvec3 const& origin, dvec3 const& direction, double unit,
+                                             std::uint32_t triangle, double border) const;
+    std::optional<MeshCrossing> meet(ShearedLine const& line, std::uint32_t triangle) const;
+    MeshCrossing crossing_of(ShearedLine const& line, SeenTriangle const& seen, std::uint32_t triangle) const;
+    std::vector<MeshCrossing> all(ShearedLine const& line, double from, double rounding) const;
     /// Where a line contradicts what the ray is in: the nearest triangle that fits and that the line misses
     /// by no more than rounding. Reflected close to an edge, a ray may start beyond the face on its other
     /// side.
-    std::optional<MeshCrossing> just_missed(Line const& line, std::uint32_t shell, bool inside, Reach reach,
-                                            double rounding) const;
+    std::optional<MeshCrossing> just_missed(ShearedLine const& line, std::uint32_t shell, bool inside,
+                                            Reach reach, double rounding) const;
 
     BoxTree const& boxes() const;
 
     std::shared_ptr<Mesh const> mesh_;
-    std::vector<std::array<dvec3, 3>> corners_; // by triangle, so that meeting one is one place in memory
+    std::array<dvec3, 3> corners(std::uint32_t triangle) const {
+        auto const& [a, b, c] = outward_[triangle];
+        auto const& positions = mesh_->soup.positions;
+        return {positions[a], positions[b], positions[c]};
+    }
+    std::vector<std::array<std::uint32_t, 3>>
+        outward_; // corners by triangle, anticlockwise seen from outside
     TriangleTree triangles_;
     mutable std::once_flag boxes_built_;
     mutable std::optional<BoxTree> boxes_; // built on first need

@@ -146,7 +146,8 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                                       c->normal,
                                       false,
                                       c->enters,
-                                      c->recovered};
+                                      c->recovered,
+                                      c->well_within};
                 }
                 return answer.contradiction;
             },
@@ -272,7 +273,11 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                    [&](auto const& tree_or_sheet) {
                        auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
                        facet = candidate.normal;
-                       point = tree_or_sheet->onto(triangle, point);
+                       if constexpr (std::is_same_v<decltype(tree_or_sheet), Tree const&>)
+                           point = candidate.well_within ? tree_or_sheet->onto(triangle, facet, point)
+                                                         : tree_or_sheet->onto(triangle, point);
+                       else
+                           point = tree_or_sheet->onto(triangle, point);
                        normal = geometry.interpolate
                                     ? smooth_normal(tree_or_sheet->mesh().soup, triangle, candidate.uv, facet)
                                     : facet;

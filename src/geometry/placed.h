@@ -24,7 +24,8 @@ struct Candidate {
     dvec3 normal{0.0}; // of a triangle: local, unit, out of the shell's volume
     bool open = false;
     bool enters = false;
-    bool recovered = false; // met by a line that misses it by no more than rounding
+    bool recovered = false;   // met by a line that misses it by no more than rounding
+    bool well_within = false; // a triangle, far from its border
 };
 
 struct Placed {

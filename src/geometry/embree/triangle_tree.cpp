@@ -18,10 +18,6 @@ constexpr double growth_ulps = 64.0;
 /// that float cannot see it meets them, if not the right ones. It meets them at a small slope, which is told.
 constexpr double lift_ulps = 3.0;
 
-/// Below this slope the sign of normal · direction is left open: the float normal of a grown triangle, whose
-/// height is at least twice the growth, may be wrong by so much.
-constexpr double sure_slope = 0.02;
-
 /// Embree's t of a triangle that is met at a slope s is wrong by fewer ulp of the mesh's size than this over
 /// s.
 constexpr double t_ulps = 16.0;
@@ -52,7 +48,8 @@ void propose(RTCFilterFunctionNArguments const* arguments) {
     auto const& hit = *reinterpret_cast<RTCHit const*>(arguments->hit);
     float const along = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
     float const squared = hit.Ng_x * hit.Ng_x + hit.Ng_y * hit.Ng_y + hit.Ng_z * hit.Ng_z;
-    bool const sure = along * along > static_cast<float>(sure_slope * sure_slope) * squared;
+    bool const sure =
+        along * along > static_cast<float>(TriangleTree::sure_slope * TriangleTree::sure_slope) * squared;
     Proposal const proposal{hit.primID, query.start + static_cast<double>(ray.tfar) * query.per_unit,
                             !sure          ? 0
                             : along < 0.0f ? -1

@@ -22,6 +22,10 @@ struct Proposal {
 
 class TriangleTree {
   public:
+    /// Below this slope the sign of normal · direction is left open: the float normal of a grown triangle,
+    /// whose height is at least twice the growth, may be wrong by so much.
+    static constexpr double sure_slope = 0.02;
+
     /// Corners anticlockwise, seen from where most lines come.
     explicit TriangleTree(std::span<std::array<dvec3, 3> const> triangles);
     TriangleTree(TriangleTree&&) noexcept;
