@@ -31,16 +31,29 @@ namespace {
 /// Embree).
 constexpr std::size_t few = 6;
 
-bool misses(Bounds const& box, dvec3 const& origin, dvec3 const& direction, double from, double to) {
-    double const margin = 1e-12 * (length(box.high - box.low) + length(origin)); // far above rounding
-    for (int axis = 0; axis < 3; ++axis) {
-        double const one = (box.low[axis] - margin - origin[axis]) / direction[axis];
-        double const other = (box.high[axis] + margin - origin[axis]) / direction[axis];
-        from = std::fmax(from, std::fmin(one, other)); // 0/0 constrains nothing
-        to = std::fmin(to, std::fmax(one, other));
+/// A line made ready for boxes.
+struct Slabs {
+    dvec3 origin, per_metre; // 1/direction
+    double margin;           // far above rounding
+
+    Slabs(dvec3 const& from, dvec3 const& direction)
+        : origin(from), per_metre(1.0 / direction), margin(1e-12 * length(from)) {}
+
+    /// t where the line enters the box, or `from`, if it starts inside; ∞: it misses it.
+    double entry(Bounds const& box, double from, double to) const {
+        double const room = margin + 1e-12 * length(box.high - box.low);
+        for (int axis = 0; axis < 3; ++axis) {
+            double const one = (box.low[axis] - room - origin[axis]) * per_metre[axis];
+            double const other = (box.high[axis] + room - origin[axis]) * per_metre[axis];
+            // comparisons with 0/0 are false: it constrains nothing
+            double const near = one < other ? one : other, far = one < other ? other : one;
+            from = near > from ? near : from;
+            to = far < to ? far : to;
+        }
+        return from <= to ? from : INFINITY;
     }
-    return from > to;
-}
+    bool misses(Bounds const& box, double from, double to) const { return entry(box, from, to) == INFINITY; }
+};
 
 } // namespace
 
@@ -179,18 +192,19 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         });
     } else {
         // what the ray is in must be left: asked first, that bounds the way to anything else
-        auto const in = [&](std::uint32_t index) {
-            return inside.contains(state.objects[index].geometry.first_shell);
-        };
-        bool const some_in = !inside.empty() && state.bounded.size() > 1;
-        for (std::uint32_t const index : state.bounded)
-            if (some_in && in(index))
-                ask(index);
-        for (std::uint32_t const index : state.bounded)
-            if (!(some_in && in(index)) &&
-                !(state.bounded.size() > 1 &&
-                  misses(state.objects[index].box, origin, direction, from, horizon)))
-                ask(index);
+        std::uint32_t asked = 0; // a bit each
+        static_assert(few <= 32);
+        std::size_t const count = state.bounded.size();
+        if (!inside.empty() || count == 1)
+            for (std::size_t i = 0; i < count; ++i)
+                if (count == 1 || inside.contains(state.objects[state.bounded[i]].geometry.first_shell)) {
+                    ask(state.bounded[i]);
+                    asked |= 1u << i;
+                }
+        Slabs const slabs(origin, direction);
+        for (std::size_t i = 0; i < count; ++i)
+            if (!(asked >> i & 1u) && !slabs.misses(state.objects[state.bounded[i]].box, from, horizon))
+                ask(state.bounded[i]);
     }
 
     NextHit hit;
@@ -269,8 +283,8 @@ Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
             return to;
         });
     else
-        for (std::uint32_t const index : state_->bounded)
-            if (!misses(state_->objects[index].box, point, direction, -margin, margin))
+        for (Slabs const slabs(point, direction); std::uint32_t const index : state_->bounded)
+            if (!slabs.misses(state_->objects[index].box, -margin, margin))
                 near.push_back(index);
     std::sort(near.begin(), near.end()); // the order must not depend on how boxes are found
     for (std::uint32_t const index : near)
