@@ -4,6 +4,7 @@
 #include "geometry/tessellate.h"
 #include "math/input_error.h"
 #include "record/export_csv.h"
+#include "record/export_tm25.h"
 #include "run/export_model.h"
 
 #include <CLI/CLI.hpp>
@@ -15,7 +16,7 @@ namespace sahl {
 namespace {
 
 struct ExportArguments {
-    std::string from, to;
+    std::string from, to, detector;
     std::vector<std::string> set;
     unsigned fineness = 120;
 };
@@ -37,10 +38,14 @@ void export_rays(ExportArguments const& arguments) {
     if (!arguments.set.empty())
         throw InputError(arguments.from, "--set goes with an experiment, and this is a log",
                          "give the experiment, or leave --set away");
-    if (to.extension() != ".csv")
-        throw InputError(to.string(), "this version exports rays to .csv only",
-                         "give a name that ends in .csv");
-    export_csv(RayLogReader(arguments.from), to);
+    RayLogReader const log(arguments.from);
+    if (to.extension() == ".csv")
+        export_csv(log, to);
+    else if (to.extension() == ".tm25ray")
+        export_tm25(log, arguments.detector, to);
+    else
+        throw InputError(to.string(), "rays are not written in this format",
+                         "give a name that ends in .csv or .tm25ray");
 }
 
 } // namespace
@@ -51,13 +56,17 @@ void add_export(CLI::App& app, int& status) {
         app.add_subcommand("export", "An experiment's bodies, or a log's rays, in another format");
     command->add_option("from", arguments->from, "An experiment file; or the folder of a run, or its rays.h5")
         ->required();
-    command->add_option("--to", arguments->to, "The file to write: .glb of an experiment; .csv of a log")
+    command
+        ->add_option("--to", arguments->to,
+                     "The file to write: .glb of an experiment; .csv or .tm25ray of a log")
         ->required();
     command
         ->add_option("--fineness", arguments->fineness,
                      "Of exact shapes: into how many pieces a full turn is cut")
         ->check(CLI::Range(coarsest_turn, finest_turn))
         ->capture_default_str();
+    command->add_option("--detector", arguments->detector,
+                        "Of .tm25ray: the detector, or the face, whose rays are written");
     command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
         ->take_all()
         ->allow_extra_args(false);

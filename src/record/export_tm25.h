@@ -1,0 +1,18 @@
+// In: a ray log. Out: the rays that arrived at one detector or face, as an IES TM-25 ray file.
+#pragma once
+
+#include "record/ray_log.h"
+
+#include <filesystem>
+#include <string>
+
+namespace sahl {
+
+/// Place (mm, world), direction and radiant flux (W) of every ray where it arrives, rounded to float as the
+/// format has them; its wavelength (nm) beside them, unless all have the same. Of a detector these are the
+/// rays that it counts, of any other face all that arrive.
+///   where   its name in the log; empty: the only detector that light came to
+/// Throws InputError: no such name, no light there, a log that was thinned, a file that cannot be written.
+void export_tm25(RayLogReader const& log, std::string const& where, std::filesystem::path const& out);
+
+} // namespace sahl
