@@ -4,6 +4,7 @@
 #include "geometry/revolved.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -108,29 +109,47 @@ bool RevolvedSheet::covers(dvec3 const& p) const {
     return s <= aperture_ * aperture_ && s >= hole_ * hole_;
 }
 
-double RevolvedSheet::distance(dvec3 const& p) const {
+/// The height over the surface to first order, times `steepness`; and its gradient: (across x, across y, w),
+/// of that length.
+struct RevolvedSheet::Height {
+    double value, across, w, steepness;
+};
+
+RevolvedSheet::Height RevolvedSheet::height(dvec3 const& p) const {
     double const c = form_.curvature, epsilon = 1.0 + form_.conic, s = p.x * p.x + p.y * p.y;
     auto const [bulge, slope] = polynomial(form_.terms, s);
-    double const z = p.z - bulge, w = 1.0 - epsilon * c * z;
-    double const across = (c + 2.0 * std::max(0.0, w) * slope) * std::sqrt(s);
-    double const steepness = std::sqrt(across * across + w * w);
-    double const height = z - 0.5 * c * (s + epsilon * z * z);
-    return w >= 0.0 ? height / steepness : std::copysign(INFINITY, epsilon * c);
+    double const z = p.z - bulge, w = 1.0 - epsilon * c * z, near = std::max(0.0, w);
+    double const across = c + 2.0 * near * slope;
+    double const value =
+        w >= 0.0 ? z - 0.5 * c * (s + epsilon * z * z) : std::copysign(INFINITY, epsilon * c);
+    return {value, across, near, std::sqrt(across * across * s + near * near)};
+}
+
+double RevolvedSheet::distance(dvec3 const& p) const {
+    Height const here = height(p);
+    return here.value / here.steepness;
+}
+
+bool RevolvedSheet::is_near(dvec3 const& p, double rounding) const {
+    Height const here = height(p);
+    return std::abs(here.value) <= rounding * here.steepness;
 }
 
 dvec3 RevolvedSheet::normal(dvec3 const& p) const {
-    double const c = form_.curvature, s = p.x * p.x + p.y * p.y;
-    auto const [bulge, slope] = polynomial(form_.terms, s);
-    double const w = std::max(0.0, 1.0 - (1.0 + form_.conic) * c * (p.z - bulge));
-    double const across = c + 2.0 * w * slope;
-    return normalize(dvec3(-across * p.x, -across * p.y, w));
+    Height const here = height(p);
+    return (1.0 / here.steepness) * dvec3(-here.across * p.x, -here.across * p.y, here.w);
 }
 
 dvec3 RevolvedSheet::settle(dvec3& point) const {
     for (int pass = 0; pass < 2; ++pass) {
-        double const off = distance(point);
-        if (std::isfinite(off))
-            point -= off * normal(point);
+        Height const here = height(point);
+        if (!std::isfinite(here.value))
+            break;
+        double const share = here.value / (here.steepness * here.steepness);
+        point -= share * dvec3(-here.across * point.x, -here.across * point.y, here.w);
+        // as far as rounding puts a root off, what is left is its square
+        if (std::abs(here.value) <= 1e-9 * aperture_ * here.steepness)
+            break;
     }
     return normal(point);
 }
@@ -145,7 +164,7 @@ class RevolvedSheet::Line {
           limit_(sheet.aperture_ * sheet.aperture_), scale_(sheet.aperture_ + length(origin)) {
         z0_ = o_.z - polynomial(terms_, s0_).first;
         double const border = 2.0 * rounding * sheet.aperture_; // r² grows by as much
-        on_ = s0_ <= limit_ + border && std::abs(sheet.distance(o_)) <= rounding;
+        on_ = s0_ <= limit_ + border && sheet.is_near(o_, rounding);
         if (on_) // at the rim too it starts within the stretch
             limit_ += 2.0 * border;
         find_stretch();
@@ -160,6 +179,15 @@ class RevolvedSheet::Line {
         bool const begins = end_above(from_), ends = end_above(to_);
         if (extended && d_.z != 0.0 && begins != (d_.z < 0.0))
             cross_plane(-INFINITY, from_);
+        if (!terms_.empty() || !meet_conic(begins, ends))
+            search(begins, ends);
+        if (extended && d_.z != 0.0 && ends != (d_.z > 0.0))
+            cross_plane(to_, INFINITY);
+        return roots_;
+    }
+
+  private:
+    void search(bool begins, bool ends) {
         if (on_ && from_ < 0.0 && to_ > 0.0) {
             double const rate = slope_at(0.0);
             bool const after = rate != 0.0 ? rate > 0.0 : height(1e-6 * to_) >= 0.0;
@@ -171,12 +199,51 @@ class RevolvedSheet::Line {
         } else {
             split(from_, begins, to_, ends, 60);
         }
-        if (extended && d_.z != 0.0 && ends != (d_.z > 0.0))
-            cross_plane(to_, INFINITY);
-        return roots_;
     }
 
-  private:
+    /// Without aspheric terms the height is a quadratic along the line: its roots in closed form, from the
+    /// middle of the stretch, where all digits are there, and a step of Newton's method. False, and nothing
+    /// added, where rounding leaves in doubt how many there are, which `begins` and `ends` tell: near a
+    /// tangent, near the equator, and where a root lies at an end.
+    bool meet_conic(bool begins, bool ends) {
+        double const base = on_ ? 0.0 : 0.5 * (from_ + to_);
+        dvec3 const p = o_ + base * d_;
+        double const square = -0.5 * c_ * (a_ + epsilon_ * d_.z * d_.z);
+        double const half = 0.5 * (d_.z - c_ * (p.x * d_.x + p.y * d_.y + epsilon_ * p.z * d_.z));
+        double const constant = on_ ? 0.0 : p.z - 0.5 * c_ * (p.x * p.x + p.y * p.y + epsilon_ * p.z * p.z);
+        double const discriminant = half * half - square * constant;
+        double const doubt = 1e-8 * (half * half + std::abs(square * constant)) + 1e-10 * (a_ + d_.z * d_.z);
+        if (std::abs(discriminant) <= doubt)
+            return false;
+        if (discriminant < 0.0)
+            return begins == ends;
+        double const root = std::sqrt(discriminant), q = half > 0.0 ? -half - root : root - half;
+        double const one = base + q / square, other = on_ ? 0.0 : base + constant / q;
+        std::array<Root, 2> found;
+        std::size_t count = 0;
+        bool above = begins;
+        // at its roots the quadratic's slope is ∓ twice that of the discriminant
+        bool const one_first = one <= other;
+        bool rises = one_first == (half <= 0.0);
+        double const end = 1e-9 * (to_ - from_) + 1e-13 * std::max(std::abs(from_), std::abs(to_));
+        for (double t : {one_first ? one : other, one_first ? other : one}) {
+            double const z = o_.z + t * d_.z, w = 1.0 - epsilon_ * c_ * z;
+            if (std::abs(t - from_) <= end || std::abs(t - to_) <= end)
+                return false;
+            if (t > from_ && t < to_ && w > -1e-6) {
+                if (w < 1e-6 || rises == above) // it cannot rise above where it is already
+                    return false;
+                above = rises;
+                double const x = o_.x + t * d_.x, y = o_.y + t * d_.y;
+                found[count++] = {t, 2.0 * root / std::sqrt(c_ * c_ * (x * x + y * y) + w * w), rises};
+            }
+            rises = !rises;
+        }
+        for (std::size_t i = 0; i < count && above == ends; ++i)
+            roots_.push_back(found[i]);
+        return above == ends;
+    }
+
     /// Where the line is within the aperture and between the lowest and highest place of the surface.
     void find_stretch() {
         double const room = 0.01 * (sheet_.high_ - sheet_.low_) + 1e-3 * sheet_.aperture_;
@@ -185,12 +252,14 @@ class RevolvedSheet::Line {
         if (a_ > 0.0) {
             double const turn = o_.x * d_.y - o_.y * d_.x, disc = limit_ * a_ - turn * turn;
             stretch_ = disc > 0.0;
-            from_ = (-b_ - std::sqrt(std::max(0.0, disc))) / a_;
-            to_ = (-b_ + std::sqrt(std::max(0.0, disc))) / a_;
+            double const half = std::sqrt(std::max(0.0, disc)), by_a = 1.0 / a_;
+            from_ = (-b_ - half) * by_a;
+            to_ = (-b_ + half) * by_a;
         } else {
             stretch_ = s0_ <= limit_;
         }
-        double const one = (sheet_.low_ - room - o_.z) / d_.z, other = (sheet_.high_ + room - o_.z) / d_.z;
+        double const by_z = 1.0 / d_.z;
+        double const one = (sheet_.low_ - room - o_.z) * by_z, other = (sheet_.high_ + room - o_.z) * by_z;
         if (d_.z == 0.0) {
             stretch_ = stretch_ && o_.z > sheet_.low_ - room && o_.z < sheet_.high_ + room;
         } else {

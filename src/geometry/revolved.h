@@ -48,6 +48,7 @@ class RevolvedSheet {
 
     /// From the surface to the point to first order, > 0 above; and the unit normal towards +z.
     double distance(dvec3 const& point) const;
+    bool is_near(dvec3 const& point, double rounding) const; // |distance| ≤ rounding
     dvec3 normal(dvec3 const& point) const;
     /// Moves a point that is on the surface but for rounding along the normal onto it; returns the normal.
     dvec3 settle(dvec3& point) const;
@@ -63,6 +64,8 @@ class RevolvedSheet {
 
   private:
     class Line;
+    struct Height;
+    Height height(dvec3 const& point) const;
 
     Revolved form_;
     double aperture_, hole_, rim_;

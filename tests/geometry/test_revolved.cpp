@@ -1,0 +1,92 @@
+// A conic of revolution met in closed form against the search that brackets every root. The search takes
+// over where there are aspheric terms, and a term of no size leaves the surface as it is.
+#include "geometry/revolved.h"
+#include "support/catch.h"
+#include "support/dice.h"
+
+#include <cmath>
+
+using namespace sahl;
+using namespace sahl::bench;
+
+namespace {
+
+struct Pair {
+    RevolvedSheet closed, searched;
+
+    Pair(double curvature, double conic, double aperture)
+        : closed({curvature, conic, {}}, aperture), searched({curvature, conic, {0.0}}, aperture) {}
+};
+
+std::vector<Pair> pairs() {
+    std::vector<Pair> all;
+    for (double const curvature : {0.9, -0.5, 0.02})
+        for (double const conic : {0.0, -0.6, -1.0, -2.5, 1.5}) {
+            double const reach = Revolved{curvature, conic, {}}.reach();
+            for (double const share : {0.3, 0.999, 1.0})
+                all.emplace_back(curvature, conic, share * std::min(reach, 2.0));
+        }
+    return all;
+}
+
+/// How far two ways of computing a root may differ: the surface's rounding where coordinates are of size
+/// `scale`, over how steeply the line meets it.
+void check_same(Pair const& pair, dvec3 const& origin, dvec3 const& direction, double scale, bool extended) {
+    double const rounding = 1e-14 * scale;
+    auto const one = pair.closed.roots(origin, direction, rounding, extended),
+               other = pair.searched.roots(origin, direction, rounding, extended);
+    CAPTURE(pair.closed.form().curvature, pair.closed.form().conic, pair.closed.aperture(), origin.x,
+            origin.y, origin.z, direction.x, direction.y, direction.z, extended);
+    REQUIRE(one.size() == other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        CHECK(one[i].rises == other[i].rises);
+        CHECK(one[i].slope == Approx(other[i].slope).margin(1e-7));
+        CHECK(std::abs(one[i].t - other[i].t) * std::max(one[i].slope, 1e-8) <= 8e-16 * scale);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a conic is met in closed form where the bracketing search meets it", "[geometry]") {
+    Dice dice(11);
+    std::size_t met = 0;
+    for (Pair const& pair : pairs()) {
+        double const h = pair.closed.aperture();
+        for (int k = 0; k < 4000; ++k) {
+            double const away = k % 3 == 0 ? 1.0 : k % 3 == 1 ? 10.0 : 1e3;
+            dvec3 const to(dice.between(-h, h), dice.between(-h, h), dice.between(-2.0 * h, 2.0 * h));
+            dvec3 const direction = dice.direction();
+            dvec3 const origin = to - away * h * direction;
+            met += pair.closed.roots(origin, direction, 1e-14 * away, false).size();
+            check_same(pair, origin, direction, away * h + length(to), k % 2 == 0);
+        }
+    }
+    CHECK(met > 20000);
+}
+
+TEST_CASE("a conic is met in closed form from places on it, and at grazing angles", "[geometry]") {
+    Dice dice(12);
+    for (Pair const& pair : pairs()) {
+        double const h = pair.closed.aperture();
+        for (int k = 0; k < 3000; ++k) {
+            double const r = h * std::sqrt(dice.uniform()), azimuth = dice.between(0.0, 6.3);
+            dvec3 p(r * std::cos(azimuth), r * std::sin(azimuth), pair.closed.form().sag(r));
+            dvec3 const normal = pair.closed.settle(p);
+            dvec3 direction = dice.direction();
+            if (k % 3 == 0) // nearly along it
+                direction = normalize(direction - (1.0 - std::pow(10.0, dice.between(-9.0, -1.0))) *
+                                                      dot(direction, normal) * normal);
+            double const rounding = 1e-14 * (h + length(p));
+            auto const one = pair.closed.roots(p, direction, rounding, false),
+                       other = pair.searched.roots(p, direction, rounding, false);
+            CAPTURE(pair.closed.form().curvature, pair.closed.form().conic, h, p.x, p.y, p.z, direction.x,
+                    direction.y, direction.z);
+            REQUIRE(one.size() == other.size());
+            for (std::size_t i = 0; i < one.size(); ++i) {
+                CHECK(one[i].rises == other[i].rises);
+                CHECK(std::abs(one[i].t - other[i].t) * std::max(one[i].slope, 1e-8) <=
+                      2e-15 * (h + length(p)));
+            }
+        }
+    }
+}
