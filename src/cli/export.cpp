@@ -5,6 +5,7 @@
 #include "math/input_error.h"
 #include "record/export_csv.h"
 #include "record/export_tm25.h"
+#include "record/read_rays.h"
 #include "run/export_model.h"
 
 #include <CLI/CLI.hpp>
@@ -16,7 +17,7 @@ namespace sahl {
 namespace {
 
 struct ExportArguments {
-    std::string from, to, detector;
+    std::string from, to, detector, where;
     std::vector<std::string> set;
     unsigned fineness = 120;
 };
@@ -30,6 +31,9 @@ void export_bodies(ExportArguments const& arguments) {
     if (to.extension() != ".glb")
         throw InputError(to.string(), "an experiment's bodies are written as .glb only",
                          "give a name that ends in .glb; for rays trace it with a log, and export the run");
+    if (!arguments.where.empty())
+        throw InputError(arguments.from, "--where goes with a log, and this is an experiment",
+                         "give the run's folder, or leave --where away");
     export_model(load_experiment(arguments.from, arguments.set), arguments.fineness, to);
 }
 
@@ -39,10 +43,12 @@ void export_rays(ExportArguments const& arguments) {
         throw InputError(arguments.from, "--set goes with an experiment, and this is a log",
                          "give the experiment, or leave --set away");
     RayLogReader const log(arguments.from);
+    auto const filter = log_filter(log.header(), arguments.where, "--where");
+    PathFilter const* const where = filter ? &*filter : nullptr;
     if (to.extension() == ".csv")
-        export_csv(log, to);
+        export_csv(log, to, where);
     else if (to.extension() == ".tm25ray")
-        export_tm25(log, arguments.detector, to);
+        export_tm25(log, arguments.detector, to, where);
     else
         throw InputError(to.string(), "rays are not written in this format",
                          "give a name that ends in .csv or .tm25ray");
@@ -70,6 +76,8 @@ void add_export(CLI::App& app, int& status) {
     command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
         ->take_all()
         ->allow_extra_args(false);
+    command->add_option("--where", arguments->where,
+                        "A path filter: only the paths of a log that it selects");
     command->callback([arguments, &status] {
         if (is_experiment(arguments->from))
             export_bodies(*arguments);

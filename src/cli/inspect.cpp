@@ -3,7 +3,7 @@
 
 #include "math/input_error.h"
 #include "record/explain.h"
-#include "record/ray_log.h"
+#include "record/read_rays.h"
 #include "run/check.h"
 #include "scene/read_model.h"
 
@@ -38,24 +38,56 @@ void add_check(CLI::App& app, int& status) {
     });
 }
 
+namespace {
+
+/// The rows of one ray, or those of its selected paths, or those of the first ray that has any.
+std::string explained(RayLogReader const& reader, std::optional<std::uint64_t> ray,
+                      std::optional<PathFilter> const& filter, std::string const& file) {
+    std::vector<Segment> rows;
+    if (ray) {
+        rows = reader.read_ray(*ray);
+        if (rows.empty())
+            throw InputError(file, "has no ray " + std::to_string(*ray),
+                             reader.rays() == 0 ? "the log is empty"
+                                                : "its last is ray " + std::to_string(reader.rays() - 1));
+        if (filter)
+            rows = selected_rows(rows, *filter);
+    } else {
+        read_rays(reader, filter ? &*filter : nullptr, [&](std::span<Segment const> found) {
+            rows.assign(found.begin(), found.end());
+            return false;
+        });
+    }
+    if (rows.empty())
+        throw InputError(file,
+                         (ray ? "ray " + std::to_string(*ray) + " has" : std::string("has")) +
+                             " no path that is selected",
+                         "give another --where");
+    return explain_ray(reader.header(), rows);
+}
+
+} // namespace
+
 void add_explain(CLI::App& app, int& status) {
     struct Arguments {
-        std::string log;
+        std::string log, where;
         std::uint64_t ray = 0;
     };
     auto arguments = std::make_shared<Arguments>();
     CLI::App* const command =
         app.add_subcommand("explain", "One ray's tree as text, with the reason for every split");
     command->add_option("log", arguments->log, "The folder of a run, or its rays.h5")->required();
-    command->add_option("--ray", arguments->ray, "The ray's number, from 0")->required();
-    command->callback([arguments, &status] {
+    auto* const ray = command->add_option("--ray", arguments->ray, "The ray's number, from 0");
+    auto* const where = command->add_option(
+        "--where", arguments->where,
+        "A path filter: only the branches that it selects; without --ray of the first ray that has any");
+    command->callback([arguments, ray, where, &status] {
+        if (ray->empty() && where->empty())
+            throw CLI::RequiredError("--ray N or --where FILTER");
         RayLogReader const reader(arguments->log);
-        auto const tree = reader.read_ray(arguments->ray);
-        if (tree.empty())
-            throw InputError(arguments->log, "has no ray " + std::to_string(arguments->ray),
-                             reader.rays() == 0 ? "the log is empty"
-                                                : "its last is ray " + std::to_string(reader.rays() - 1));
-        std::cout << explain_ray(reader.header(), tree);
+        auto const filter = log_filter(reader.header(), arguments->where, "--where");
+        std::cout << explained(reader, ray->empty() ? std::nullopt : std::optional(arguments->ray), filter,
+                               arguments->log);
         status = 0;
     });
 }

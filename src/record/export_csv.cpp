@@ -3,6 +3,7 @@
 
 #include "record/log_columns.h"
 #include "record/pending_file.h"
+#include "record/read_rays.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,7 +13,7 @@ namespace sahl {
 
 namespace {
 
-constexpr std::uint64_t portion_rows = 16384; // held in memory: 2 MiB of segments, about 5 MB of text
+constexpr std::size_t portion_bytes = 4 << 20; // of text, held in memory
 
 std::string as_field(std::string const& name) {
     if (name.find_first_of(",\"\r\n") == std::string::npos)
@@ -67,18 +68,21 @@ void put_row(Fields& fields, WavelengthInNm& nm, Segment const& segment) {
 
 } // namespace
 
-void export_csv(RayLogReader const& log, std::filesystem::path const& out) {
+void export_csv(RayLogReader const& log, std::filesystem::path const& out, PathFilter const* where) {
     Fields fields{as_fields(log.header().surfaces), as_fields(log.header().media), {}};
     WavelengthInNm nm;
     visit_columns(nm, [&](ColumnInfo info, auto, auto) { (fields.text += info.name) += ','; });
     fields.text += "end_x_mm,end_y_mm,end_z_mm\n";
     PendingFile file(out);
-    for (std::uint64_t row = 0; row < log.rows(); row += portion_rows) {
-        for (Segment const& segment : log.read(row, portion_rows))
+    read_rays(log, where, [&](std::span<Segment const> ray) {
+        for (Segment const& segment : ray)
             put_row(fields, nm, segment);
-        file.write(fields.text);
-        fields.text.clear();
-    }
+        if (fields.text.size() >= portion_bytes) {
+            file.write(fields.text);
+            fields.text.clear();
+        }
+        return true;
+    });
     file.write(fields.text);
     file.finish();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "record/ray_log.h"
+#include "trace/path_filter.h"
 
 #include <filesystem>
 
@@ -12,6 +13,7 @@ namespace sahl {
 /// segment ends on nothing `surface` is empty; where it escapes its length is inf and its end is empty. Names
 /// with a comma, a quote or a line break stand in double quotes (RFC 4180). `out` appears when it is
 /// complete; it is an InputError if it cannot be written.
-void export_csv(RayLogReader const& log, std::filesystem::path const& out);
+///   where   only the paths that it selects; or null
+void export_csv(RayLogReader const& log, std::filesystem::path const& out, PathFilter const* where = nullptr);
 
 } // namespace sahl

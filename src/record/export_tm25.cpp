@@ -4,6 +4,7 @@
 #include "math/nearest_name.h"
 #include "record/log_columns.h"
 #include "record/pending_file.h"
+#include "record/read_rays.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +14,6 @@ namespace sahl {
 
 namespace {
 
-constexpr std::uint64_t portion_rows = 16384;
 constexpr std::size_t description_size = 4000; // 4.7.3, bytes: 1000 characters of four
 
 bool counted(Segment const& segment) {
@@ -21,10 +21,12 @@ bool counted(Segment const& segment) {
 }
 
 template <class Visit>
-void for_all(RayLogReader const& log, Visit visit) {
-    for (std::uint64_t row = 0; row < log.rows(); row += portion_rows)
-        for (Segment const& segment : log.read(row, portion_rows))
+void for_all(RayLogReader const& log, PathFilter const* paths, Visit visit) {
+    read_rays(log, paths, [&](std::span<Segment const> ray) {
+        for (Segment const& segment : ray)
             visit(segment);
+        return true;
+    });
 }
 
 /// What arrives, before it is written: the header has it.
@@ -57,7 +59,7 @@ std::string quoted_names(std::vector<std::string> const& names) {
 Place place_called(RayLogReader const& log, std::string const& where) {
     std::vector<std::string> const& surfaces = log.header().surfaces;
     std::set<std::int32_t> detectors;
-    for_all(log, [&](Segment const& segment) {
+    for_all(log, nullptr, [&](Segment const& segment) {
         if (counted(segment) && segment.surface >= 0)
             detectors.insert(segment.surface);
     });
@@ -137,7 +139,8 @@ std::string header_of(LogHeader const& header, Census const& census, std::string
 
 } // namespace
 
-void export_tm25(RayLogReader const& log, std::string const& where, std::filesystem::path const& out) {
+void export_tm25(RayLogReader const& log, std::string const& where, std::filesystem::path const& out,
+                 PathFilter const* paths) {
     LogHeader const& header = log.header();
     if (header.every != 1 || header.min_power > 0.0)
         refuse(log, "it holds only some of the rays, so that their powers would not add up to the light",
@@ -145,7 +148,7 @@ void export_tm25(RayLogReader const& log, std::string const& where, std::filesys
     Place const place = place_called(log, where);
     std::string const& name = header.surfaces[static_cast<std::size_t>(place.surface)];
     Census census;
-    for_all(log, [&](Segment const& segment) {
+    for_all(log, paths, [&](Segment const& segment) {
         if (!place.has(segment))
             return;
         ++census.rays;
@@ -157,7 +160,7 @@ void export_tm25(RayLogReader const& log, std::string const& where, std::filesys
     PendingFile file(out);
     file.write(header_of(header, census, name));
     Bytes rows;
-    for_all(log, [&](Segment const& segment) {
+    for_all(log, paths, [&](Segment const& segment) {
         if (!place.has(segment))
             return;
         dvec3 const end = segment.origin + segment.length * segment.direction;

@@ -8,7 +8,7 @@ namespace sahl {
 
 RayTree grow_tree(LogHeader const& header, std::vector<Segment> const& rows) {
     RayTree tree{header, rows};
-    tree.whole = header.min_power == 0.0;
+    tree.whole = header.min_power == 0.0 && header.where.empty();
     tree.children.resize(rows.size());
     tree.parents.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {

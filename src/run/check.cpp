@@ -82,6 +82,7 @@ Scene build(Experiment& experiment, Remarks& remarks) {
 Value check_experiment(ExperimentSource const& source) {
     Experiment const experiment = read_experiment(source.tree, source.file);
     Scene const scene = build_scene(experiment);
+    path_filters(scene, experiment.log.where); // refuses a wrong one
     WavelengthTable const optics(scene);
     Emission const emission(scene.sources, optics, experiment.trace.seed);
     Census const census = take_census(scene, optics, emission, experiment.trace);

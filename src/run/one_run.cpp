@@ -29,6 +29,7 @@ LogHeader log_header(ExperimentSource const& source, Experiment const& experimen
     header.seed = experiment.trace.seed;
     header.every = experiment.log.every;
     header.min_power = experiment.log.min_power;
+    header.where = experiment.log.where.text;
     for (SourceSpec const& spec : scene.sources) {
         header.sources.push_back(spec.name);
         header.source_power_W.push_back(spec.power);

@@ -195,6 +195,7 @@ Value options_of(Experiment const& experiment, RunFacts const& facts) {
                     {"log", of(experiment.log.on)},
                     {"log_every", of(experiment.log.every)},
                     {"log_min_power", of(experiment.log.min_power)},
+                    {"log_where", of(experiment.log.where.text)},
                     {"limit_leak", of(experiment.limits.leak)},
                     {"limit_ledger", of(experiment.limits.ledger)},
                     {"set", of(facts.set)}});

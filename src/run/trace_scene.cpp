@@ -35,8 +35,15 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
                          LogOptions const& logged, Progress const& progress) {
     auto const start = std::chrono::steady_clock::now();
     SumUnit const unit = power_unit(emission);
-    TraceContext const context{scene,           optics, emission, options, unit, log ? logged.every : 0,
-                               logged.min_power};
+    PathFilters const filters = path_filters(scene, log ? logged.where : WrittenFilter{});
+    TraceContext const context{scene,
+                               optics,
+                               emission,
+                               options,
+                               unit,
+                               log ? logged.every : 0,
+                               logged.min_power,
+                               filters.log || filters.at_detectors ? &filters : nullptr};
     TraceOutcome outcome{Tally(unit, scene.bodies.size(), scene.faces.size(), optics.wavelengths().size()),
                          {},
                          {},

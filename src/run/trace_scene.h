@@ -25,6 +25,7 @@ struct TraceOutcome {
 /// Called now and then from one thread with the number of rays done.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
+/// Throws InputError where a path filter of the scene or the log is wrong.
 /// The same result, bit for bit, for any number of threads (0: all there are).
 ///   log      where segments go, or nullptr
 ///   logged   which of them do

@@ -98,6 +98,12 @@ struct FarField {
 enum class DetectorKind { rectangle, sphere, surface };
 enum class ArrivesFrom { both, outside, inside }; // of a surface: the body it belongs to
 
+/// A path filter (docs/filters.md) as it was written; empty: every path.
+struct WrittenFilter {
+    std::string text;
+    Place place;
+};
+
 struct DetectorSpec {
     std::string name;
     Affine to_world;           // of the rectangle z = 0, x along its width, y along `up`, z = `facing`
@@ -115,6 +121,7 @@ struct DetectorSpec {
     bool spot = false, spectrum = false;
     std::optional<FarField> far_field{};
     std::uint32_t path_bins = 0; // of the optical path's histogram; 0: none
+    WrittenFilter where{};       // which paths to it count
 };
 
 enum class BranchPolicy { split, roulette, dominant };
@@ -137,7 +144,7 @@ struct LogOptions {
     bool on = false;
     std::uint64_t every = 1;
     double min_power = 0.0; // share of the ray's power
-    std::string where;
+    WrittenFilter where{};  // which paths, whole; min_power thins what is left
     bool compress = false;
     std::uint64_t shard_rows = 4194304;
 };

@@ -58,7 +58,7 @@ constexpr Key trace_keys[] = {
 
 constexpr Key log_keys[] = {
     {"every", Kind::integer, 1.0, "each N-th ray is written", {1.0, largest_seed}},
-    {"where", Kind::text, "", "a filter; none but the empty one in this version"},
+    {"where", Kind::text, "", "a filter: only the paths that it selects are written; see filters.md"},
     {"min_power",
      Kind::number,
      0.0,

@@ -122,6 +122,8 @@ constexpr Key detector_keys[] = {
      {},
      "the histogram of the optical path in this many bins; keeps 16 bytes of memory a hit",
      {1.0, 100000.0}},
+    {"where", Kind::text, "",
+     "a filter: it counts only light that came by paths that it selects; see filters.md"},
 };
 
 constexpr Key far_field_keys[] = {

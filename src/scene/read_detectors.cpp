@@ -110,6 +110,7 @@ DetectorSpec read_detector(Value const& table, Groups const& groups) {
         read_surface(fields, detector);
     detector.spot = fields.truth("spot");
     detector.spectrum = fields.truth("spectrum");
+    detector.where = {fields.text("where"), fields.place("where")};
     if (fields.has("far_field"))
         detector.far_field = read_far_field(fields.at("far_field"), group, detector);
     if (fields.has("optical_path"))

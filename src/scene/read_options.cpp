@@ -72,13 +72,10 @@ LogOptions read_log(Value const& tree) {
     LogOptions log;
     log.on = trace.truth("log");
     log.every = static_cast<std::uint64_t>(fields.integer("every"));
-    log.where = fields.text("where");
+    log.where = {fields.text("where"), fields.place("where")};
     log.min_power = fields.number("min_power");
     log.compress = fields.truth("compress");
     log.shard_rows = static_cast<std::uint64_t>(fields.integer("shard_rows"));
-    if (!log.where.empty())
-        throw InputError(fields.place("where").text(), "this version cannot filter what it logs",
-                         "leave `where` out; `every` thins the log");
     return log;
 }
 

@@ -32,6 +32,7 @@ class Grove {
     void trace(Branch const& branch);
     Event cut_or_none(Branch const& branch) const;
     double attenuate(Branch const& branch, Interface const& interface);
+    void keep(Branch const& branch, DetectorHit const& hit);
     void detect(Branch const& branch, Interface const& interface, double power, double optical_path);
     void detect_escape(Branch const& branch, DetectorId id);
     void detect_arrival(Branch const& branch, Interface const& interface, double power, double optical_path);
@@ -41,7 +42,9 @@ class Grove {
     void end(Branch const& branch, Event ended, double power, double length, double optical_path,
              Interface const* interface);
     void lose(Branch const& branch, Event event, double power, double t);
-    void log_by_ray();
+    void order_by_ray();
+    void apply_filters(std::size_t hits_before);
+    void log_selected(std::span<Segment const> ray);
 
     TraceContext const& context_;
     BatchResult& result_;
@@ -50,8 +53,10 @@ class Grove {
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
     std::vector<Branch> generation_, next_generation_;
-    std::vector<Segment> segments_, by_ray_; // as they end; as the log has them
-    std::vector<std::size_t> place_;         // by ray: where its next segment stands in by_ray_
+    std::vector<Segment> segments_, by_ray_;  // as they end; as the log has them
+    std::vector<std::size_t> place_;          // by ray: where its segments end in by_ray_
+    std::vector<std::uint32_t> hit_segments_; // of each hit of this group: where its path ends
+    std::vector<Segment> selected_;
 };
 
 void Grove::grow(std::uint64_t first, std::uint32_t count) {
@@ -63,14 +68,61 @@ void Grove::grow(std::uint64_t first, std::uint32_t count) {
         std::swap(generation_, next_generation_);
         next_generation_.clear();
     }
-    // generations lie one after another: put each ray's pieces together, their order kept
+    if (!segments_.empty())
+        order_by_ray();
+    if (context_.filters)
+        apply_filters(hits_before);
+    else if (!segments_.empty())
+        log_.take(std::span(by_ray_).first(segments_.size()));
+    segments_.clear();
+    // generations lie one after another: put each ray's hits together, their order kept
     std::stable_sort(result_.hits.begin() + static_cast<std::ptrdiff_t>(hits_before), result_.hits.end(),
                      [](DetectorHit const& a, DetectorHit const& b) { return a.ray < b.ray; });
-    if (!segments_.empty())
-        log_by_ray();
 }
 
-void Grove::log_by_ray() {
+/// Which hits count, and which paths are logged.
+void Grove::apply_filters(std::size_t hits_before) {
+    PathFilters const& filters = *context_.filters;
+    auto const ray_at = [&](std::uint32_t ray) {
+        std::size_t const begin = ray == 0 ? 0 : place_[ray - 1];
+        return std::span<Segment const>(by_ray_).subspan(begin, place_[ray] - begin);
+    };
+    auto& hits = result_.hits;
+    std::size_t kept = hits_before;
+    for (std::size_t i = hits_before; i < hits.size(); ++i) {
+        auto const& filter = filters.detectors[hits[i].detector.value];
+        if (filter) {
+            SelectedPaths paths(*filter);
+            paths.take(ray_at(static_cast<std::uint32_t>(hits[i].ray - first_)));
+            if (!paths.path_to(hit_segments_[i - hits_before]))
+                continue;
+        }
+        hits[kept++] = hits[i];
+    }
+    hits.resize(kept);
+    hit_segments_.clear();
+    for (std::uint32_t ray = 0; ray < rays_.size() && !segments_.empty(); ++ray)
+        if (context_.log_every != 0 && (first_ + ray) % context_.log_every == 0)
+            log_selected(ray_at(ray));
+}
+
+void Grove::log_selected(std::span<Segment const> ray) {
+    std::vector<char> const* kept = nullptr;
+    std::optional<SelectedPaths> paths;
+    if (context_.filters->log) {
+        paths.emplace(*context_.filters->log);
+        paths->take(ray);
+        kept = &paths->kept();
+    }
+    selected_.clear();
+    for (std::size_t i = 0; i < ray.size(); ++i)
+        if ((!kept || (*kept)[i]) && ray[i].power_start >= context_.log_min_power * ray.front().power_start)
+            selected_.push_back(ray[i]);
+    if (!selected_.empty())
+        log_.take(selected_);
+}
+
+void Grove::order_by_ray() {
     place_.assign(rays_.size() + 1, 0);
     for (Segment const& segment : segments_)
         ++place_[segment.ray - first_ + 1];
@@ -78,8 +130,6 @@ void Grove::log_by_ray() {
     by_ray_.resize(std::max(by_ray_.size(), segments_.size()));
     for (Segment const& segment : segments_)
         by_ray_[place_[segment.ray - first_]++] = segment;
-    log_.take(std::span(by_ray_).first(segments_.size()));
-    segments_.clear();
 }
 
 void Grove::plant(std::uint64_t first, std::uint32_t count) {
@@ -194,19 +244,26 @@ double Grove::attenuate(Branch const& branch, Interface const& interface) {
     return power;
 }
 
+/// The segment that brought it is about to end, and gets the next number.
+void Grove::keep(Branch const& branch, DetectorHit const& hit) {
+    result_.hits.push_back(hit);
+    if (context_.filters)
+        hit_segments_.push_back(next_index_[branch.ray]);
+}
+
 void Grove::detect(Branch const& branch, Interface const& interface, double power, double optical_path) {
     DetectorSpec const& detector = context_.scene.detectors[interface.detector->value];
     dvec3 const from_centre = interface.point - detector.to_world.offset;
     Ray const& ray = rays_[branch.ray];
-    result_.hits.push_back(
-        {*interface.detector,
-         ray.wavelength,
-         ray.source,
-         first_ + branch.ray,
-         {dot(from_centre, detector.to_world.linear[0]), dot(from_centre, detector.to_world.linear[1])},
-         branch.direction,
-         power,
-         optical_path});
+    keep(branch,
+         {*interface.detector,
+          ray.wavelength,
+          ray.source,
+          first_ + branch.ray,
+          {dot(from_centre, detector.to_world.linear[0]), dot(from_centre, detector.to_world.linear[1])},
+          branch.direction,
+          power,
+          optical_path});
 }
 
 /// At infinity a direction is all there is; its optical path is that to the last surface.
@@ -225,7 +282,7 @@ void Grove::detect_escape(Branch const& branch, DetectorId id) {
         hit.direction = normalize(from_centre + t * branch.direction);
         hit.optical_path += context_.optics.index(branch.medium, ray.wavelength) * t;
     }
-    result_.hits.push_back(hit);
+    keep(branch, hit);
 }
 
 void Grove::detect_arrival(Branch const& branch, Interface const& interface, double power,
@@ -244,15 +301,15 @@ void Grove::detect_arrival(Branch const& branch, Interface const& interface, dou
             continue;
         dvec3 const from_origin = interface.point - body.to_world.offset;
         Ray const& ray = rays_[branch.ray];
-        result_.hits.push_back({id,
-                                ray.wavelength,
-                                ray.source,
-                                first_ + branch.ray,
-                                {dot(from_origin, normalize(body.to_world.linear[0])),
-                                 dot(from_origin, normalize(body.to_world.linear[1]))},
-                                branch.direction,
-                                power,
-                                optical_path});
+        keep(branch, {id,
+                      ray.wavelength,
+                      ray.source,
+                      first_ + branch.ray,
+                      {dot(from_origin, normalize(body.to_world.linear[0])),
+                       dot(from_origin, normalize(body.to_world.linear[1]))},
+                      branch.direction,
+                      power,
+                      optical_path});
     }
 }
 
@@ -304,10 +361,11 @@ void Grove::end(Branch const& branch, Event ended, double power, double length, 
     ++result_.tally.ended[static_cast<std::size_t>(ended)];
     std::uint32_t const index = next_index_[branch.ray]++;
     std::uint64_t const number = first_ + branch.ray;
-    if (context_.log_every == 0 || number % context_.log_every != 0)
-        return;
     Ray const& ray = rays_[branch.ray];
-    if (branch.power < context_.log_min_power * ray.power)
+    PathFilters const* const filters = context_.filters;
+    bool const logged = context_.log_every != 0 && number % context_.log_every == 0 &&
+                        (branch.power >= context_.log_min_power * ray.power || (filters && filters->log));
+    if (!logged && !(filters && filters->at_detectors))
         return;
     Segment& segment = segments_.emplace_back();
     segment.ray = number;
@@ -330,6 +388,26 @@ void Grove::end(Branch const& branch, Event ended, double power, double length, 
 }
 
 } // namespace
+
+PathFilters path_filters(Scene const& scene, WrittenFilter const& log) {
+    FilterNames names;
+    for (Face const& face : scene.faces)
+        names.surfaces.push_back(face.name);
+    for (Medium const& medium : scene.media)
+        names.media.push_back(medium.name);
+    for (SourceSpec const& source : scene.sources)
+        names.sources.push_back(source.name);
+    auto const made = [&](WrittenFilter const& written) -> std::optional<PathFilter> {
+        PathFilter filter(parse_filter(written.text, written.place.text()), names);
+        return filter.selects_all() ? std::nullopt : std::optional(std::move(filter));
+    };
+    PathFilters filters{made(log), {}};
+    for (DetectorSpec const& detector : scene.detectors) {
+        filters.detectors.push_back(made(detector.where));
+        filters.at_detectors = filters.at_detectors || filters.detectors.back();
+    }
+    return filters;
+}
 
 BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count,
                         SegmentSink* sink) {

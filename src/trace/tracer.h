@@ -3,12 +3,14 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "trace/path_filter.h"
 #include "trace/segment.h"
 #include "trace/sources.h"
 #include "trace/tally.h"
 #include "trace/wavelengths.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sahl {
@@ -43,6 +45,16 @@ struct BatchResult {
     SegmentBatch log; // empty unless asked for, or where a sink took the segments
 };
 
+/// Which paths are logged, and by detector which count; none: all.
+struct PathFilters {
+    std::optional<PathFilter> log;
+    std::vector<std::optional<PathFilter>> detectors;
+    bool at_detectors = false; // at least one has a filter
+};
+
+/// Those of the scene's detectors and the log's. Throws InputError where one is wrong.
+PathFilters path_filters(Scene const& scene, WrittenFilter const& log);
+
 /// What tracing needs to know, all by reference; nothing is changed.
 struct TraceContext {
     Scene const& scene;
@@ -50,8 +62,9 @@ struct TraceContext {
     Emission const& emission;
     TraceOptions const& options;
     SumUnit unit;
-    std::uint64_t log_every = 0; // 0: no log; 1: every ray; n: each n-th
-    double log_min_power = 0.0;  // share of the ray's power; what begins with less is not logged
+    std::uint64_t log_every = 0;          // 0: no log; 1: every ray; n: each n-th
+    double log_min_power = 0.0;           // share of the ray's power; what begins with less is not logged
+    PathFilters const* filters = nullptr; // or none
 };
 
 inline constexpr std::uint64_t rays_per_batch = 4096;

@@ -254,7 +254,6 @@ std::vector<Mistake> mistakes() {
          2,
          "[trace]\npolarised = true\n",
          {"polarised tracing does not exist yet", "auto"}},
-        {"a filter of the log", 2, "[log]\nwhere = \"hits(a)\"\n", {"cannot filter"}},
         {"a floor above all power", 2, "[log]\nmin_power = 1.5\n", {"min_power"}},
         {"a log of no ray", 2, "[log]\nevery = 0\n", {"'every' in [log] is 0"}},
         {"a sweep over a key that does not exist",
