@@ -75,6 +75,14 @@ constexpr double in_nm(double metres) {
 
 } // namespace
 
+std::string lone_filter_name(std::vector<std::string> const& names, std::size_t id) {
+    std::string const written = as_filter_name(names[id]);
+    bool const alone = std::none_of(names.begin(), names.end(), [&](std::string const& name) {
+        return name != names[id] && is_called({names[id], false}, name);
+    });
+    return alone || written.front() == '"' ? written : '"' + written + '"';
+}
+
 PathFilter::PathFilter(FilterSyntax syntax, FilterNames const& names) : syntax_(std::move(syntax)) {
     for (FilterCondition const& condition : syntax_.conditions) {
         Prepared& prepared = prepared_.emplace_back();

@@ -18,6 +18,9 @@ struct FilterNames {
     std::vector<std::string> surfaces, media, sources;
 };
 
+/// One of the names as it has to be written in a filter that means this one alone.
+std::string lone_filter_name(std::vector<std::string> const& names, std::size_t id);
+
 /// A path is what leads from a source to one end: a segment without children, and those that it descends
 /// from. At each interaction it goes on by one event, which is the one that began the next segment; the last
 /// event is the one that ended it.
