@@ -1,6 +1,7 @@
 // In: an exact shape, where it stands, and a view. Out: its outline in that view: silhouette, edges, rims,
 // profile.
 #include "geometry/revolved.h"
+#include "geometry/tessellate.h"
 #include "math/overloaded.h"
 #include "report/outline.h"
 
@@ -170,8 +171,13 @@ struct Pen {
             for (std::size_t j = 0; j < i; ++j)
                 line({c[i], c[j]});
     }
-    void draw(QuadricBody const& s) { // its box: the surface within has no simple silhouette
-        draw(Box{s.clip});
+    void draw(QuadricBody const& s) {            // as a mesh: its silhouette has no simple form
+        Tessellation pieces = tessellate(s, 96); // at most a pixel off at the width of a page
+        if (!pieces.problem.empty())
+            return draw(Box{s.clip});
+        Mesh mesh;
+        mesh.soup = std::move(pieces.soup);
+        out = outline_of(mesh, to_world, view);
     }
     void draw(ConicMirror const& s) {
         double const h = 0.5 * s.diameter;

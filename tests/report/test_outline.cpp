@@ -4,6 +4,7 @@
 #include "report/sample_run.h"
 #include "support/catch.h"
 
+#include <cmath>
 #include <numbers>
 
 using namespace sahl;
@@ -48,6 +49,22 @@ TEST_CASE("a stretched and sheared sphere is the ellipse of its support function
     CHECK(bounds.high.x == Approx(0.01 * std::sqrt(10.0))); // |(3, 1, 0)|: the first row of the map
     CHECK(bounds.high.y == Approx(0.01));
     CHECK(bounds.low.x == Approx(-bounds.high.x));
+}
+
+TEST_CASE("a quadric is drawn as it lies in its box, not as the box") {
+    // x² + 4 y² + z² ≤ 1, of which the box keeps |z| ≤ 0.6
+    QuadricBody const body{{1, 4, 1, 0, 0, 0, 0, 0, 0, -1}, {3, 3, 1.2}};
+    auto const covered = [&](View const& view) {
+        double sum = 0.0;
+        for (Polyline const& loop : outline_of(Shape(body), Affine{}, view).area)
+            sum += area_of(loop);
+        return sum;
+    };
+    double const zone = 2.0 * (0.6 * 0.8 + std::asin(0.6)); // of a unit circle between ±0.6
+    // front and back each cover it; the cells' chords lie up to a hundredth inside it
+    CHECK(covered(xy) == Approx(2.0 * pi / 2.0).epsilon(5e-3));
+    CHECK(covered(zy) == Approx(2.0 * zone / 2.0).epsilon(5e-3));
+    CHECK(covered(zx) == Approx(2.0 * zone).epsilon(5e-3));
 }
 
 TEST_CASE("shapes have their extents in each view") {
