@@ -31,8 +31,19 @@ PLOTS = {
         "The scene seen from +y",
         ["source.fan.power_W=1", "source.star.beam.rays=1", "source.companion.beam.rays=1"],
     ),
+    "concentrator": (
+        "The scene seen from +y",
+        ["sweep={}", "group.sun.turn_deg[1]=28", "source.sky.lambertian.rays=1"]
+        + [f"object.{end} end.shape.rectangle.size_mm=[0.1, 0.1]" for end in ("near", "far")]
+        + ["source.sunlight.beam.rays=31", "source.sunlight.beam.size_mm=[60, 0]", "source.sunlight.beam.pattern=grid"],
+    ),
     "corner-cube": ("detectors/far away.png", []),
     "dove-prism": ("detectors/image.png", []),
+    "fibre": ("power (W) against group.lamp", []),
+    "light-pipe": (
+        "The scene seen from −x",
+        ["source.lamp.lambertian.rays=30", "trace.min_power=0.5", "source.ray.power_W=1e-9"],
+    ),
     "mirror-caustic": ("The scene seen from −y", []),
     "pellin-broca": ("The scene seen from +z", ["trace.min_power=0.1", "source.lamp.beam.rays=1"]),
     "penta-prism": ("The scene seen from +z", ["sweep={}", "trace.min_power=0.1"]),
