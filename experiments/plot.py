@@ -22,6 +22,7 @@ PLOTS = {
         "The scene seen from +x",
         ["source.fan.power_W=1", "source.lamp.power_W=1e-9", "source.lamp.point.rays=1", "trace.min_power=0.3"],
     ),
+    "brilliant": ("power (W) against object.pavilion", []),
     "cartesian-oval": (
         "The scene seen from −x",
         ["source.fan to the oval.power_W=1", "source.fan to the ellipsoid.power_W=1", "trace.min_power=0.3"]

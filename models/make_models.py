@@ -147,6 +147,9 @@ def models():
     files["pellin-broca.obj"] = polyhedra.obj("pellin-broca", polyhedra.pellin_broca(40, 16.7, 20))
     files["penta.obj"] = polyhedra.obj("penta", polyhedra.penta(20, 20), ("first", "second"))
     files["roof.obj"] = polyhedra.obj("roof", polyhedra.roof(20))
+    crown = polyhedra.brilliant_crown(3.25, 0.53, math.tan(math.radians(34.5)), 0.05)
+    files["brilliant-crown.obj"] = polyhedra.obj("crown", crown)
+    files["brilliant-pavilion.obj"] = polyhedra.obj("pavilion", polyhedra.brilliant_pavilion(3.25, 0.77, 0.05))
     return files
 
 

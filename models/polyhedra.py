@@ -142,3 +142,64 @@ def roof(width):
         "left": ((-1.0, 0.0, 0.0), width / 2),
         "right": ((1.0, 0.0, 0.0), width / 2),
     }
+
+
+def through(name, points):
+    """{name: the half space whose border goes through three points, the origin within}."""
+    a, b, c = points
+    n = cross([x - y for x, y in zip(b, a)], [x - y for x, y in zip(c, a)])
+    size = math.copysign(math.hypot(*n), dot(n, a))
+    n = tuple(x / size for x in n)
+    return {name: (n, dot(n, a))}
+
+
+def round_about(radius, degrees, z):
+    return tuple(radius * x for x in facing(degrees)[:2]) + (z,)
+
+
+def brilliant_girdle(radius):
+    """Sixteen upright walls; their edges lie on the circle, at multiples of 22.5°."""
+    inside = radius * math.cos(math.radians(11.25))
+    return {f"girdle-{i}": (facing(11.25 + 22.5 * i), inside) for i in range(16)}
+
+
+def brilliant_crown(radius, table, slope, girdle):
+    """The upper part of a round brilliant, on the plane z = 0: table, 8 stars, 8 mains, 16 upper halves.
+
+    `table`: its corners' radius as a share; `slope`: the mains' tangent; `girdle`: its height. Stars reach halfway.
+    """
+    planes = {"bottom": ((0.0, 0.0, -1.0), 0.0), **brilliant_girdle(radius)}
+    eighth = math.cos(math.radians(22.5))
+    planes["table"] = ((0.0, 0.0, 1.0), girdle + (1 - table) * radius * slope)
+    tip = (1 + table * eighth) / 2 * radius  # of a star, on the edge between two mains
+    for i in range(8):
+        at = 45 * i
+        corner = [round_about(table * radius, at + turn, planes["table"][1]) for turn in (0, 45)]
+        point = round_about(tip, at + 22.5, girdle + (radius - tip * eighth) * slope)
+        n = tuple(x / math.hypot(1, slope) for x in (slope * facing(at)[0], slope * facing(at)[1], 1.0))
+        planes[f"main-{i}"] = (n, dot(n, round_about(radius, at, girdle)))
+        planes |= through(f"star-{i}", (*corner, point))
+        for half, side in enumerate((0, 45)):
+            ends = [round_about(radius, at + turn, girdle) for turn in (side, 22.5)]
+            planes |= through(f"upper-half-{2 * i + half}", (*ends, point))
+    return planes
+
+
+def brilliant_pavilion(radius, length, girdle):
+    """The lower part, under the plane z = 0: 8 mains at 45°, so that a scale along z is their tangent; 16 lower halves.
+
+    `length`: how far the halves reach from the girdle to the culet, as a share.
+    """
+    planes = {"top": ((0.0, 0.0, 1.0), 0.0), **brilliant_girdle(radius)}
+    h = math.sqrt(0.5)
+    tip = (1 - length) * radius
+    point_z = -girdle - (radius - tip * math.cos(math.radians(22.5)))
+    for i in range(8):
+        at = 45 * i
+        n = (h * facing(at)[0], h * facing(at)[1], -h)
+        planes[f"main-{i}"] = (n, dot(n, round_about(radius, at, -girdle)))
+        point = round_about(tip, at + 22.5, point_z)
+        for half, side in enumerate((0, 45)):
+            ends = [round_about(radius, at + turn, -girdle) for turn in (side, 22.5)]
+            planes |= through(f"lower-half-{2 * i + half}", (*ends, point))
+    return planes
