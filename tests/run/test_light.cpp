@@ -1,4 +1,4 @@
-// Detectors of every kind in whole experiments, against closed forms; and the examples of docs/light.md.
+// Detectors of every kind in whole experiments, against closed forms.
 #include "math/input_error.h"
 #include "run/run.h"
 #include "support/bench.h"
@@ -57,29 +57,6 @@ std::string const lamp = "[[source]]\nname = \"lamp\"\nlambertian = {at_mm = [0,
                          "size_mm = [1, 1], rays = 40000}\n";
 
 } // namespace
-
-TEST_CASE("the examples of docs/light.md run, and every figure that they ask for is there", "[detectors]") {
-    std::string const page = bytes_of(fs::path(SAHL_SOURCE_DIR) / "docs" / "light.md");
-    Folder const folder;
-    for (char const* data : {"lamp.csv", "led.csv"})
-        fs::copy_file(fs::path(SAHL_SOURCE_DIR) / "docs" / data, folder.path() / data);
-    int examples = 0;
-    for (std::size_t at = page.find("```toml\n"); at != page.npos; at = page.find("```toml\n", at)) {
-        at += 8;
-        std::string const experiment = page.substr(at, page.find("```", at) - at);
-        CAPTURE(experiment);
-        fs::path const out = folder.path() / ("out" + std::to_string(examples));
-        Value const summary = trace_into(out, experiment, {}, folder.path());
-        CHECK(fs::exists(out / "report.html"));
-        ++examples;
-    }
-    CHECK(examples == 6);
-    CHECK(fs::exists(folder.path() / "out0" / "detectors" / "eye.spectrum.csv"));
-    CHECK(fs::exists(folder.path() / "out3" / "detectors" / "focus.spot.csv"));
-    CHECK(fs::exists(folder.path() / "out3" / "detectors" / "focus.optical_path.csv"));
-    CHECK(fs::exists(folder.path() / "out4" / "detectors" / "all around.far_field.csv"));
-    CHECK(fs::exists(folder.path() / "out5" / "detectors" / "end.far_field.exr"));
-}
 
 TEST_CASE("a Lambertian lamp's far field falls as the cosine, on a rectangle and on a sphere",
           "[detectors]") {
