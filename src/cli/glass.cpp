@@ -7,6 +7,7 @@
 
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace sahl {
 
@@ -17,7 +18,11 @@ auto within(double low, double high) {
     return [=](std::string const& text) {
         double number = 0.0;
         bool const good = CLI::detail::lexical_cast(text, number) && number >= low && number <= high;
-        return good ? std::string() : "\"" + text + "\" is not a number within its bounds";
+        if (good)
+            return std::string();
+        std::ostringstream problem;
+        problem << "\"" << text << "\" is not a number from " << low << " to " << high;
+        return problem.str();
     };
 }
 

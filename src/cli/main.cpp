@@ -9,6 +9,7 @@
 
 #include <exception>
 #include <iostream>
+#include <new>
 
 int main(int argc, char** argv) {
     CLI::App app("Traces light through glass and mirrors: every ray splits into a tree by Snell and Fresnel.",
@@ -29,6 +30,9 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : 2;
     } catch (sahl::InputError const& error) {
         std::cerr << "sahl: " << error.what() << "\n";
+        return 3;
+    } catch (std::bad_alloc const&) {
+        std::cerr << "sahl: there is not enough memory for this; give fewer rays, pixels or bins\n";
         return 3;
     } catch (std::exception const& error) {
         std::cerr << "sahl: internal error: " << error.what() << "\n";

@@ -82,6 +82,9 @@ GlassEntry finish(Draft draft, std::string const& file) {
     if (draft.entry.coefficients.empty())
         throw InputError(place, "\"" + draft.entry.name + "\" has no coefficients",
                          "give them in a line that begins with CD");
+    if (draft.entry.medium.range.second == 0.0)
+        throw InputError(place, "\"" + draft.entry.name + "\" has no range of wavelengths",
+                         "give its two ends in µm in a line that begins with LD");
     auto const index = agf_formula(draft.formula, draft.entry.coefficients);
     if (!index)
         throw InputError(place, "\"" + draft.entry.name + "\" has more than ten coefficients", "leave ten");

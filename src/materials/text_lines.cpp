@@ -63,11 +63,14 @@ std::string place_of(std::string const& file, TextLine const& line) {
 std::string without_byte_order(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF"))
         return std::string(text.substr(3));
-    bool const little = text.starts_with("\xFF\xFE");
-    if (!little && !text.starts_with("\xFE\xFF"))
+    // ASCII in UTF-16 has a zero in each pair, with or without a mark before it
+    bool const marked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    bool const little = text.starts_with("\xFF\xFE") || (text.size() > 1 && text[0] != 0 && text[1] == 0);
+    bool const big = text.starts_with("\xFE\xFF") || (text.size() > 1 && text[0] == 0 && text[1] != 0);
+    if (!little && !big)
         return std::string(text);
     std::string bytes;
-    for (std::size_t i = 2; i + 1 < text.size(); i += 2) {
+    for (std::size_t i = marked ? 2 : 0; i + 1 < text.size(); i += 2) {
         char const low = text[i + (little ? 0 : 1)], high = text[i + (little ? 1 : 0)];
         bytes += high == 0 && static_cast<unsigned char>(low) < 128 ? low : '?';
     }

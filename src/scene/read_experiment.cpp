@@ -47,6 +47,20 @@ std::vector<double> all_wavelengths(std::vector<SourceSpec> const& sources) {
     return wavelengths;
 }
 
+/// Beyond the ends of a metal's table they are taken, which is far from the truth in the infrared.
+void warn_of_metals(Experiment& experiment, Value const* definitions,
+                    std::vector<double> const& wavelengths) {
+    for (Surface const& surface : experiment.surfaces) {
+        auto const* const metal = std::get_if<Metal>(&surface.kind);
+        if (!metal || metal->table.size() < 2)
+            continue;
+        if (auto warning = range_warning(
+                definitions->find(surface.name)->place.text() + ": surface \"" + surface.name + "\"",
+                {metal->table.front().wavelength, metal->table.back().wavelength}, wavelengths))
+            experiment.warnings.push_back(std::move(*warning));
+    }
+}
+
 void warn_of_polarisation(Experiment& experiment) {
     for (SourceSpec const& source : experiment.sources)
         if (source.polarised && experiment.trace.polarised == Polarised::automatic)
@@ -87,7 +101,9 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
                          "add [[source]] with a name and, for instance, "
                          "beam = {from_mm = [0, 0, -50], toward = [0, 0, 1], radius_mm = 2, rays = 1000}");
     check_names(experiment);
-    experiment.warnings = check_media(media, all_wavelengths(experiment.sources));
+    std::vector<double> const wavelengths = all_wavelengths(experiment.sources);
+    experiment.warnings = check_media(media, wavelengths);
+    warn_of_metals(experiment, tree.find("surface"), wavelengths);
     warn_of_polarisation(experiment);
     experiment.sweep = read_sweep(tree);
     experiment.goal = read_goal(tree);

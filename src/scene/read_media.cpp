@@ -162,8 +162,31 @@ void MediaBook::refuse(std::string_view name, Place const& place) const {
                      near ? did_you_mean(name, defined) : similar_entries(own_, name));
 }
 
+namespace {
+
+std::string nanometres(double metres) {
+    return quoted_value({std::round(metres * 1e13) / 1e4, {}}) + " nm";
+}
+
+} // namespace
+
+std::optional<std::string> range_warning(std::string const& what, std::pair<double, double> range,
+                                         std::vector<double> const& wavelengths) {
+    auto const [low, high] = range;
+    std::vector<double> outside;
+    for (double const wavelength : wavelengths)
+        if (high > 0.0 && (wavelength < low || wavelength > high))
+            outside.push_back(wavelength);
+    if (outside.empty())
+        return {};
+    std::string at = nanometres(outside.front());
+    if (outside.size() > 1)
+        at = std::to_string(outside.size()) + " wavelengths from " + at + " to " + nanometres(outside.back());
+    return what + " is used at " + at + ", but its index is stated from " + nanometres(low) + " to " +
+           nanometres(high) + " only";
+}
+
 std::vector<std::string> check_media(MediaBook const& book, std::vector<double> const& wavelengths) {
-    auto const nm = [](double metres) { return quoted_value({std::round(metres * 1e13) / 1e4, {}}) + " nm"; };
     std::vector<std::string> warnings;
     for (std::size_t i = 0; i < book.media().size(); ++i) {
         Medium const& medium = book.media()[i];
@@ -171,14 +194,13 @@ std::vector<std::string> check_media(MediaBook const& book, std::vector<double> 
             double const n = refractive_index(medium.index, wavelength);
             if (!(std::isfinite(n) && n > 0.0))
                 throw InputError(book.places()[i].text(),
-                                 "medium \"" + medium.name + "\" has no real index at " + nm(wavelength),
+                                 "medium \"" + medium.name + "\" has no real index at " +
+                                     nanometres(wavelength),
                                  "correct its formula, or use another wavelength");
-            auto const& [low, high] = medium.range;
-            if (high > 0.0 && (wavelength < low || wavelength > high))
-                warnings.push_back(book.places()[i].text() + ": medium \"" + medium.name + "\" is used at " +
-                                   nm(wavelength) + ", but its index is stated from " + nm(low) + " to " +
-                                   nm(high) + " only");
         }
+        if (auto warning = range_warning(book.places()[i].text() + ": medium \"" + medium.name + "\"",
+                                         medium.range, wavelengths))
+            warnings.push_back(std::move(*warning));
     }
     return warnings;
 }

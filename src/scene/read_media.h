@@ -6,6 +6,7 @@
 #include "math/ids.h"
 #include "scene/value.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,8 +47,13 @@ class MediaBook {
     std::vector<Place> places_;
 };
 
-/// What is wrong with the media at these wavelengths (m): throws InputError where an index is not a number
-/// above 0, returns a warning for each wavelength outside a formula's range.
+/// That something is used at wavelengths outside of a range, each in m; nothing where it is not, or where the
+/// range is {0, 0}.
+std::optional<std::string> range_warning(std::string const& what, std::pair<double, double> range,
+                                         std::vector<double> const& wavelengths);
+
+/// What is wrong with the media at these wavelengths (m, ascending): throws InputError where an index is not
+/// a number above 0, returns a warning for each medium that is used outside its formula's range.
 std::vector<std::string> check_media(MediaBook const& book, std::vector<double> const& wavelengths);
 
 } // namespace sahl

@@ -85,7 +85,9 @@ FaceId Builder::face_called(std::string const& name, Place const& place) const {
         names.push_back(scene.faces[face].name);
     }
     throw InputError(place.text(), "there is no surface \"" + name + "\"",
-                     names.size() <= 12 ? "give one of " + listed(names) : did_you_mean(name, names));
+                     names.empty()        ? "there is no object in this experiment"
+                     : names.size() <= 12 ? "give one of " + listed(names)
+                                          : did_you_mean(name, names));
 }
 
 void Builder::add_model(ObjectSpec const& object, ModelReference const& reference) {

@@ -93,6 +93,7 @@ TEST_CASE("an AGF file in UTF-16 is the same file") {
     for (char const c : agf_text)
         wide += std::string{c, '\0'};
     CHECK(read_agf(wide, "my.agf", "my").size() == 2);
+    CHECK(read_agf(wide.substr(2), "my.agf", "my").size() == 2); // without the mark before it
 }
 
 TEST_CASE("of two transmittances at one wavelength that of the thicker piece counts") {
@@ -118,7 +119,7 @@ TEST_CASE("what is wrong in an AGF file is told with its line") {
     CHECK(starts(refusal(with(agf_text, "0 0 0 0\r\nTD", "0 0 0 0 0\r\nTD"), false),
                  "my.agf:2: \"BK\" has more than ten coefficients"));
     CHECK(starts(refusal(with(agf_text, "LD +3.0E-01 2.5", "LD 2.5 0.3"), false), "my.agf:2: the range"));
-    CHECK(starts(refusal(with(agf_text, "LD +3.0E-01 2.5\r\n", ""), false), "my.agf:2: the range"));
+    CHECK(starts(refusal(with(agf_text, "LD +3.0E-01 2.5\r\n", ""), false), "my.agf:2: \"BK\" has no range"));
     CHECK(starts(refusal(with(agf_text, "IT 0.5 0.99 25", "IT 0.5 1.01 25"), false),
                  "my.agf:8: this transmittance"));
     CHECK(starts(refusal(with(agf_text, "IT 0.5 0.99 25", "IT 0.5 0.99 0"), false),

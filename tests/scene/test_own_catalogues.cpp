@@ -122,4 +122,22 @@ TEST_CASE("a wavelength outside a glass's range is a warning with the range") {
     auto const warned = read_experiment(tree, folder.path / "e.toml").warnings;
     REQUIRE(warned.size() == 1);
     CHECK(has(warned.front(), "is used at 900.0 nm, but its index is stated from 400.0 nm to 800.0 nm only"));
+    // one warning for a whole spectrum
+    set_key_from_text(tree, "source.s.wavelengths_nm=[390, 500, 900, 1000]");
+    auto const many = read_experiment(tree, folder.path / "e.toml").warnings;
+    REQUIRE(many.size() == 1);
+    CHECK(has(many.front(), "is used at 3 wavelengths from 390.0 nm to 1000.0 nm, but"));
+}
+
+TEST_CASE("a wavelength outside a metal's table is a warning with the range") {
+    Value tree =
+        parse_toml("[surface]\nm = {metal = \"gold\"}\nown = {n = 1, k = 5}\n[[source]]\nname = \"s\"\n"
+                   "beam = {from_mm = [0, 0, -9], toward = [0, 0, 1]}\nwavelengths_nm = [10600]\n",
+                   "e.toml");
+    auto const warned = read_experiment(tree, "e.toml").warnings;
+    REQUIRE(warned.size() == 1);
+    CHECK(
+        has(warned.front(), "surface \"m\" is used at 10600.0 nm, but its index is stated from 203.3 nm to"));
+    set_key_from_text(tree, "source.s.wavelengths_nm=[1000]");
+    CHECK(read_experiment(tree, "e.toml").warnings.empty());
 }
