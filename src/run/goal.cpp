@@ -176,6 +176,21 @@ class Seeker {
     std::size_t made_ = 0;
 };
 
+/// What a user should know of a goal that was come to: one at an end of the search is none, and neither is a
+/// jump.
+std::optional<std::string> remark_on(GoalSpec const& goal, Bracket const& bracket, double x, double y) {
+    double const span = std::abs(goal.to - goal.from);
+    for (double const end : {goal.from, goal.to})
+        if (goal.aim != Aim::reach && std::abs(x - end) <= 4.0 * goal.tolerance * span)
+            return goal.figure + " is best at the end of the search, " + goal.key + " = " + to_json(of(end)) +
+                   ": there may be better beyond; widen from and to";
+    double const step = std::abs(bracket.at_high - bracket.at_low);
+    if (goal.aim == Aim::reach && std::abs(y - goal.value) > std::max(1e-3, 10.0 * goal.tolerance) * step)
+        return goal.figure + " jumps over " + to_json(of(goal.value)) + " at " + goal.key + " = " +
+               to_json(of(x)) + ": it is " + to_json(of(y)) + " there";
+    return {};
+}
+
 Value goal_value(GoalSpec const& goal, double x, Value const& summary, std::size_t runs) {
     constexpr char const* aims[] = {"minimise", "maximise", "reach"};
     Figures const figures = figures_of(summary);
@@ -199,9 +214,18 @@ RunResult run_goal(ExperimentSource const& source, Experiment const& experiment,
     RunOptions seeking = options;
     seeking.log_file.reset(); // of the run that is found alone
     Seeker seeker(source, goal, seeking);
-    double const x = seeker.narrow(seeker.look());
+    Bracket const bracket = seeker.look();
+    double const x = seeker.narrow(bracket);
     ExperimentSource const step = seeker.at(x);
     OneRun run = run_once(step, read_experiment(step.tree, step.file), options, folder);
+    Figures const figures = figures_of(run.summary);
+    auto const figure =
+        std::find_if(figures.begin(), figures.end(), [&](auto const& f) { return f.first == goal.figure; });
+    if (figure != figures.end())
+        if (auto remark = remark_on(goal, bracket, x, figure->second))
+            for (auto& [key, value] : std::get<Table>(run.summary.data))
+                if (key == "warnings")
+                    std::get<Array>(value.data).push_back(of(std::move(*remark)));
     // once more at the same place, for its files: it is no run of the search
     std::get<Table>(run.summary.data)
         .emplace_back("goal", goal_value(goal, x, run.summary, seeker.rows().size()));

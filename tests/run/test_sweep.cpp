@@ -227,6 +227,33 @@ branch = "dominant"
                    22.5) < 1e-6);
 }
 
+TEST_CASE("a goal at an end of its search, or at a jump, is come to with a warning") {
+    Scratch const scratch;
+    std::string const lamp = R"(
+[[source]]
+name = "beam"
+rays = [[0, 0, 0, 0, 0, 1]]
+[[detector]]
+name = "screen"
+at_mm = [0, 0, 20]
+facing = [0, 0, -1]
+size_mm = [4, 4]
+)";
+    auto const warnings = [&](std::string const& goal) {
+        std::ofstream(scratch.path / "lamp.toml") << lamp << goal;
+        RunResult const result = run(load_experiment(scratch.path / "lamp.toml"), scratch.path / "out");
+        return to_json(*result.summary.find("warnings"));
+    };
+    std::string const path = "\"detectors.screen.mean_optical_path_mm\"\n",
+                      vary = "vary = {\"detector.screen.at_mm[2]\" = {from = 11, to = 25}}\n";
+    CHECK(warnings("[goal]\nminimise = " + path + vary).find("at the end of the search") !=
+          std::string::npos);
+    CHECK(warnings("[goal]\nreach = " + path + "value = 17\n" + vary) == "[]");
+    CHECK(warnings("[goal]\nreach = \"detectors.screen.power_W\"\nvalue = 0.5\n"
+                   "vary = {\"detector.screen.at_mm[0]\" = {from = -1, to = 9}}\n")
+              .find("jumps over 0.5") != std::string::npos);
+}
+
 TEST_CASE("a goal that cannot be come to says why and writes nothing") {
     Scratch const scratch;
     std::string const vary = "vary = {\"object.prism.turn_deg[2]\" = {from = -40, to = -10}}\n";
