@@ -15,6 +15,12 @@ int order_of(double power, SumUnit unit) {
     return power > 0.0 ? std::max(std::ilogb(power) - digits, unit.exponent) : unit.exponent;
 }
 
+/// What the ledger counts of a power: its whole units.
+double in_whole_units(double power, SumUnit unit) {
+    double const one = std::ldexp(1.0, unit.exponent);
+    return power < std::ldexp(one, digits + 1) ? std::floor(power / one) * one : power;
+}
+
 /// The whole number of units that a double is, if it is one.
 Int128 units_in(double x, SumUnit unit) {
     int exponent = 0;
@@ -53,7 +59,8 @@ std::vector<EqualShare> equal_shares(double power, std::vector<double> const& co
 }
 
 void WeightedShares::add(std::uint64_t ray, double share) {
-    sum_.add(share, unit_); // cuts off what lies below the unit, as the ledger does
+    share = in_whole_units(share, unit_);
+    sum_.add(share, unit_);
     if (share <= 0.0)
         return;
     int const order = order_of(share, unit_);
@@ -85,7 +92,7 @@ void WeightedShares::close(double power) {
 
 double WeightedShares::of(std::uint64_t ray, double share) const {
     auto const found = adjusted_.find(ray);
-    return found != adjusted_.end() ? found->second : share;
+    return found != adjusted_.end() ? found->second : in_whole_units(share, unit_);
 }
 
 } // namespace sahl

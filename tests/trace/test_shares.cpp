@@ -79,6 +79,24 @@ TEST_CASE("several sources keep their powers side by side", "[sources]") {
     check_sum(lab.experiment);
 }
 
+TEST_CASE("a faint source's rays with weights of their own are whole units of the ledger", "[sources]") {
+    Dice dice(74);
+    Lab lab;
+    lab.source(PointEmitter{dvec3(0.0), {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, 1.0, 7}).power = 1e6;
+    std::vector<RaySpec> rays;
+    for (int i = 0; i < 1000; ++i)
+        rays.push_back({dvec3(0.0), dice.direction(), dice.log_between(1e-3, 1.0)});
+    lab.rays(std::move(rays)).power = 3e-7;
+    check_sum(lab.experiment);
+    Scene const scene = build_scene(lab.experiment);
+    Emission const emission(scene.sources, WavelengthTable(scene), 1);
+    SumUnit const finer{SumUnit::for_total(emission.power()).exponent - 30};
+    ExactSum sum;
+    for (std::uint64_t i = emission.first_rays()[1]; i < emission.rays(); ++i)
+        sum.add(emission.ray(i).power, finer);
+    CHECK(std::abs(sum.value(finer) - 3e-7) <= std::ldexp(1.0, finer.exponent + 30)); // one unit
+}
+
 TEST_CASE("rays of equal weight differ by a rounding at most", "[sources]") {
     std::vector<EqualShare> const shares = equal_shares(1.0, {0.25, 0.75}, 1000, SumUnit{});
     for (std::size_t colour : {std::size_t{0}, std::size_t{1}}) {
