@@ -39,7 +39,7 @@ DetectorRecord::DetectorRecord(DetectorSpec const& spec, SumUnit unit, std::size
                                std::size_t sources)
     : spec_(spec), unit_(unit), by_wavelength_(wavelengths), by_source_(sources),
       pixels_(spec.kind == DetectorKind::rectangle ? std::size_t{spec.columns} * spec.rows : 0),
-      scatter_(unit) {
+      chance_(unit) {
     if (spec.far_field)
         far_field_.emplace(*spec.far_field, unit);
 }
@@ -55,7 +55,7 @@ void DetectorRecord::add(DetectorHit const& hit) {
     if (spec_.path_bins > 0)
         paths_.emplace_back(hit.optical_path, hit.power);
     add_to_pixel(hit);
-    scatter_.add(hit.ray, hit.power);
+    chance_.add(hit.ray, hit.power);
 }
 
 void DetectorRecord::add_to_pixel(DetectorHit const& hit) {
@@ -70,41 +70,45 @@ void DetectorRecord::add_to_pixel(DetectorHit const& hit) {
     pixels_[row * spec_.columns + column].add(hit.power, unit_);
 }
 
-void Scatter::add(std::uint64_t ray, double power) {
+namespace {
+
+/// Of sums of squared powers.
+SumUnit square_unit(SumUnit power_unit) {
+    return {2 * power_unit.exponent + 90};
+}
+
+} // namespace
+
+void TwiceSums::add(double once, double again, SumUnit power_unit) {
+    differences.add((once - again) * (once - again), square_unit(power_unit));
+    squares.add(once * once + again * again, square_unit(power_unit));
+}
+
+void TwiceSums::add(TwiceSums const& other) {
+    differences.add(other.differences);
+    squares.add(other.squares);
+}
+
+void Chance::add(std::uint64_t ray, double power) {
     if (ray_ != ray) {
-        close_ray();
+        squares_.add(ray_power_ * ray_power_, square_unit(power_unit_));
         ray_ = ray;
         ray_power_ = 0.0;
     }
     ray_power_ += power;
 }
 
-void Scatter::close_ray() {
-    if (!ray_)
-        return;
-    auto const square = [&](double x) { squared_differences_.add(x * x, square_unit_); };
-    if (previous_ray_ && *previous_ray_ + 1 == *ray_) {
-        square(ray_power_ - previous_power_);
-    } else { // rays in between, or before, brought nothing
-        square(previous_power_);
-        if (*ray_ > 0)
-            square(ray_power_);
-    }
-    previous_ray_ = ray_;
-    previous_power_ = ray_power_;
+void Chance::add(TwiceSums const& sums) {
+    followed_twice_ = true;
+    twice_.add(sums);
 }
 
-double Scatter::sigma(std::uint64_t rays) const {
-    Scatter closed(*this);
-    closed.close_ray();
-    double const last = closed.previous_power_;
-    if (rays < 2) // nothing to compare with
-        return last;
-    double const inner = closed.squared_differences_.value(square_unit_);
-    bool const to_the_end = closed.previous_ray_ && *closed.previous_ray_ + 1 == rays;
-    auto const n = static_cast<double>(rays);
-    return std::sqrt(0.5 * (inner + (to_the_end ? 0.0 : last * last)) * n /
-                     (n - 1.0)); // n − 1 pairs of neighbours
+double Chance::sigma() const {
+    if (!followed_twice_)
+        return 0.0;
+    SumUnit const unit = square_unit(power_unit_);
+    double const all = squares_.value(unit) + ray_power_ * ray_power_, seen = twice_.squares.value(unit);
+    return std::sqrt(seen > 0.0 ? all * (twice_.differences.value(unit) / seen) : all);
 }
 
 std::vector<double> DetectorRecord::irradiance() const {

@@ -60,21 +60,33 @@ struct Histogram {
     std::vector<double> powers;  // W
 };
 
-/// How much the powers that rays bring differ from ray to ray.
-class Scatter {
+/// Of rays that were followed twice, with other draws the second time: how much the two differ, and how much
+/// there was.
+struct TwiceSums {
+    ExactSum differences, squares; // W²: Σ (Y − Y')², Σ (Y² + Y'²)
+
+    void add(double once, double again, SumUnit power_unit);
+    void add(TwiceSums const& other);
+};
+
+/// How much of what rays bring is left to chance: the share of their square that TwiceSums find,
+///   σ² = Σ Y² · Σ (Y − Y')² / Σ (Y² + Y'²)
+/// the first sum over all rays. Nothing is asked of how rays differ from each other in truth.
+class Chance {
   public:
-    explicit Scatter(SumUnit power_unit) : square_unit_{2 * power_unit.exponent + 90} {}
+    explicit Chance(SumUnit power_unit) : power_unit_(power_unit) {}
     void add(std::uint64_t ray, double power); // in the order of rays
-    /// rays   that were emitted, from number 0 on: outside them there is nothing to differ from
-    double sigma(std::uint64_t rays) const;
+    void add(TwiceSums const& sums);
+    /// W; 0 where no ray was followed twice, √Σ Y² where none of those that were brought any light.
+    double sigma() const;
 
   private:
-    void close_ray();
-
-    SumUnit square_unit_;
-    std::optional<std::uint64_t> ray_, previous_ray_;
-    double ray_power_ = 0.0, previous_power_ = 0.0;
-    ExactSum squared_differences_;
+    SumUnit power_unit_;
+    std::optional<std::uint64_t> ray_;
+    double ray_power_ = 0.0;
+    ExactSum squares_; // of the rays before ray_
+    bool followed_twice_ = false;
+    TwiceSums twice_;
 };
 
 class DetectorRecord {
@@ -90,9 +102,9 @@ class DetectorRecord {
     /// W/m² by pixel, row-major, the first row at the top (largest y); empty where it is no rectangle.
     std::vector<double> irradiance() const;
     double peak() const; // W/m²
-    /// Standard error of the power where branches were drawn at random: from how much neighbouring rays
-    /// differ, which also counts what they differ in truth, so it does not promise too much.
-    double sigma(std::uint64_t rays) const { return scatter_.sigma(rays); }
+    void add(TwiceSums const& sums) { chance_.add(sums); }
+    /// Standard error of the power where something was left to chance, else 0.
+    double sigma() const { return chance_.sigma(); }
     DetectorSpec const& spec() const { return spec_; }
     SumUnit unit() const { return unit_; }
 
@@ -118,7 +130,7 @@ class DetectorRecord {
     };
     std::vector<Spotted> spots_;                   // where asked for
     std::vector<std::pair<double, double>> paths_; // optical path, power; where asked for
-    Scatter scatter_;
+    Chance chance_;
 };
 
 } // namespace sahl

@@ -40,21 +40,15 @@ void count_start(PilotOfSource& source, StartingPlace const& start) {
 
 void count_segment(Census& census, Scene const& scene, Segment const& segment) {
     ++census.segments;
-    if (segment.ended == Event::escaped)
-        for (DetectorId const sphere : scene.sphere_detectors)
-            ++census.detectors[sphere.value].hits;
     if (segment.surface < 0)
         return;
-    for (auto const& [face, detector] : scene.surface_detectors)
-        census.detectors[detector.value].hits += static_cast<std::uint32_t>(segment.surface) == face.value;
     ObjectId const id = scene.faces[static_cast<std::size_t>(segment.surface)].body;
     census.bodies[id.value].reached = true;
     census.bodies[id.value].entered |= segment.ended == Event::refracted;
     if (auto const detector = scene.bodies[id.value].detector) {
         DetectorSpec const& spec = scene.detectors[detector->value];
-        bool const front = dot(segment.direction, spec.to_world.linear[2]) < 0.0;
-        ++(front || spec.back ? census.detectors[detector->value].hits
-                              : census.detectors[detector->value].hits_from_behind);
+        bool const behind = dot(segment.direction, spec.to_world.linear[2]) >= 0.0 && !spec.back;
+        census.detectors[detector->value].hits_from_behind += behind;
     }
 }
 
@@ -90,6 +84,8 @@ void send_pilots(Census& census, TraceContext const& context, std::size_t number
             if (shared_boundaries)
                 look_beyond(census, context.scene, segment);
         }
+        for (DetectorHit const& hit : batch.hits)
+            ++census.detectors[hit.detector.value].hits;
         census.lost += batch.lost.size();
         if (!batch.lost.empty() && !census.first_lost_at)
             census.first_lost_at = batch.lost.front().at;

@@ -23,10 +23,21 @@ char const* name_of(Method method) {
     return names[static_cast<std::size_t>(method)];
 }
 
-std::string nanometres(double wavelength) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.10g", wavelength * 1e9);
-    return text;
+/// Ten digits, but where two wavelengths would then be called the same: a table must not have a key twice.
+std::vector<std::string> wavelength_names(WavelengthTable const& optics) {
+    auto const with_digits = [](double wavelength, int digits) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.*g", digits, wavelength * 1e9);
+        return std::string(text);
+    };
+    std::vector<std::string> names, unique;
+    for (double const wavelength : optics.wavelengths())
+        names.push_back(with_digits(wavelength, 10));
+    for (std::size_t i = 0; i < names.size(); ++i)
+        unique.push_back(std::count(names.begin(), names.end(), names[i]) == 1
+                             ? names[i]
+                             : with_digits(optics.wavelengths()[i], 17));
+    return unique;
 }
 
 Value figures(Moments const& moments, SumUnit unit, DetectorKind kind) {
@@ -77,13 +88,12 @@ void add_extras(Table& table, DetectorRecord const& record, WavelengthTable cons
 }
 
 Value detector_figures(DetectorRecord const& record, Scene const& scene, WavelengthTable const& optics,
-                       Experiment const& experiment, Tally const& tally, std::uint64_t rays) {
+                       Tally const& tally) {
     SumUnit const unit = tally.unit;
     Value value = figures(record.all(), unit, record.spec().kind);
     Table& table = std::get<Table>(value.data);
     double const power = record.all().power.value(unit);
-    bool const random = experiment.trace.branch == BranchPolicy::roulette;
-    double const sigma = random ? record.sigma(rays) : 0.0;
+    double const sigma = record.sigma();
     DetectorSpec const& spec = record.spec();
     bool const once = spec.absorbs || spec.kind == DetectorKind::sphere; // no light comes twice
     Value const high = once ? of(power + tally.cut.value(unit) + tally.error.value(unit) + sigma)
@@ -94,9 +104,9 @@ Value detector_figures(DetectorRecord const& record, Scene const& scene, Wavelen
                        spec.kind == DetectorKind::rectangle ? of(record.peak() * 1e-6) : nothing());
     add_extras(table, record, optics);
     Table by_wavelength, by_source;
+    std::vector<std::string> const names = wavelength_names(optics);
     for (std::size_t i = 0; i < record.by_wavelength().size(); ++i)
-        by_wavelength.emplace_back(nanometres(optics.wavelengths()[i]),
-                                   figures(record.by_wavelength()[i], unit, spec.kind));
+        by_wavelength.emplace_back(names[i], figures(record.by_wavelength()[i], unit, spec.kind));
     for (std::size_t i = 0; i < record.by_source().size(); ++i)
         by_source.emplace_back(scene.sources[i].name, figures(record.by_source()[i], unit, spec.kind));
     table.emplace_back("by_wavelength", of(std::move(by_wavelength)));
@@ -123,11 +133,12 @@ Value absorbed(Scene const& scene, Tally const& tally) {
 
 Value escaped(WavelengthTable const& optics, Tally const& tally) {
     Table table;
+    std::vector<std::string> const names = wavelength_names(optics);
     for (std::size_t i = 0; i < optics.wavelengths().size(); ++i) {
         auto const& sums = tally.escaped_by_wavelength[i];
         dvec3 const sum(sums[1].value(tally.unit), sums[2].value(tally.unit), sums[3].value(tally.unit));
         double const size = length(sum);
-        table.emplace_back(nanometres(optics.wavelengths()[i]), size > 0.0 ? of(sum / size) : nothing());
+        table.emplace_back(names[i], size > 0.0 ? of(sum / size) : nothing());
     }
     return of(std::move(table));
 }
@@ -213,8 +224,7 @@ Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTab
     events.emplace_back("recovered", of(tally.recovered));
     Table detectors;
     for (DetectorRecord const& record : outcome.detectors)
-        detectors.emplace_back(record.spec().name,
-                               detector_figures(record, scene, optics, experiment, tally, outcome.rays));
+        detectors.emplace_back(record.spec().name, detector_figures(record, scene, optics, tally));
     std::vector<std::string> const failures = failures_of(experiment, outcome);
     return of(Table{
         {"title", of(experiment.title)},

@@ -1,5 +1,7 @@
 #include "run/trace_scene.h"
 
+#include "run/follow_again.h"
+
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
@@ -21,6 +23,7 @@ constexpr unsigned batches_waiting = 32; // at most, for others before them or f
 struct Traced {
     std::optional<BatchResult> result;
     std::optional<LogBlock> rows;
+    std::vector<TwiceSums> twice; // by detector; empty where nothing is left to chance
 };
 using Chunks = std::vector<LogChunk>;
 
@@ -50,6 +53,7 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
                          emission.rays(),
                          0.0,
                          threads ? threads : static_cast<unsigned>(tbb::this_task_arena::max_concurrency())};
+    bool const chance = left_to_chance(scene, options) && !scene.detectors.empty();
     bool holes_sought = false;
     for (DetectorSpec const& detector : scene.detectors)
         outcome.detectors.emplace_back(detector, unit, optics.wavelengths().size(), scene.sources.size());
@@ -64,18 +68,22 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         return next_batch++;
     };
     auto const trace = [&](std::uint64_t batch) {
-        std::uint64_t const first = batch * rays_per_batch;
+        std::uint64_t const first = batch * rays_per_batch,
+                            count = std::min(rays_per_batch, emission.rays() - first);
         Traced traced;
         if (log)
             traced.rows.emplace(log->block());
-        traced.result.emplace(trace_batch(context, first, std::min(rays_per_batch, emission.rays() - first),
-                                          log ? &*traced.rows : nullptr));
+        traced.result.emplace(trace_batch(context, first, count, log ? &*traced.rows : nullptr));
+        if (chance)
+            traced.twice = follow_again(context, first, count, traced.result->hits);
         return std::make_shared<Traced>(std::move(traced));
     };
     auto const record = [&](std::shared_ptr<Traced> const& traced) { // in the order of batches
         outcome.tally.add(traced->result->tally);
         for (DetectorHit const& hit : traced->result->hits)
             outcome.detectors[hit.detector.value].add(hit);
+        for (std::size_t i = 0; i < traced->twice.size(); ++i)
+            outcome.detectors[i].add(traced->twice[i]);
         for (LostRay const& ray : traced->result->lost) {
             if (outcome.lost.size() < lost_rays_named)
                 outcome.lost.push_back(ray);

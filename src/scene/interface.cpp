@@ -56,6 +56,15 @@ bool remember_sheets(Scene const& scene, NextHit const& hit, LeftSheets const& l
     return fits;
 }
 
+/// Faces that detectors watch. One that lies within a body of higher priority is no boundary there.
+void note_arrivals(Scene const& scene, NextHit const& hit, bool boundary, Interface& found) {
+    for (Crossing const& c : hit.at_one_place)
+        if ((c.open || boundary) &&
+            std::any_of(scene.surface_detectors.begin(), scene.surface_detectors.end(),
+                        [&](auto const& watched) { return watched.first.value == c.face.value; }))
+            found.arrivals.push_back({c.face, hit.t, c.point, !c.enters});
+}
+
 /// Of the bodies whose surfaces coincide here, the face whose surface counts: that of the body of higher
 /// priority, else of the only one that has a surface.
 Crossing const& deciding(Scene const& scene, NextHit const& hit) {
@@ -103,6 +112,7 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
                        Interface& found) {
     found.inside_after = inside;
     found.on_the_way.clear();
+    found.arrivals.clear();
     found.recovered = false;
     double from = 0.0;
     for (;;) {
@@ -135,6 +145,9 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
         found.body_after = body_at(scene, found.inside_after);
         found.medium_after = medium_of(scene, found.body_after);
         found.detector.reset();
+        bool const same_body = body == found.body_after; // it happens under a body of higher priority
+        if (!scene.surface_detectors.empty())
+            note_arrivals(scene, hit, !same_body, found);
         if (first.open) { // it acts in place of the boundary that it lies on
             take_place(found, hit, first, direction);
             found.surface = scene.faces[first.face.value].surface;
@@ -142,7 +155,6 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
         }
         Crossing const& crossing = deciding(scene, hit);
         found.surface = scene.faces[crossing.face.value].surface;
-        bool const same_body = body == found.body_after; // it happens under a body of higher priority
         if (!same_body && (found.surface || found.medium_after != medium_of(scene, body))) {
             take_place(found, hit, crossing, direction);
             return Meeting::interface;

@@ -3,12 +3,22 @@
 
 #include "scene/scene.h"
 
+#include <vector>
+
 namespace sahl {
 
 /// A piece of the way that lies in another body of the same medium than the one that follows.
 struct Stretch {
     double end; // t
     std::optional<ObjectId> body;
+};
+
+/// At a face that a detector watches, whoever's surface decides what happens there.
+struct Arrival {
+    FaceId face;
+    double t;
+    dvec3 point;
+    bool inside; // from inside its body; of an open surface: from the side away from its +z
 };
 
 struct Interface {
@@ -24,7 +34,8 @@ struct Interface {
     bool against_facing = false;        // the light comes against the open surface's +z
     std::optional<ObjectId> body_before, body_after;
     InlineVector<Stretch, 8>
-        on_the_way; // bodies left in silence; more than fit count as the one that follows
+        on_the_way;                // bodies left in silence; more than fit count as the one that follows
+    std::vector<Arrival> arrivals; // on the way too
     MediumId medium_after;
     ShellSet inside_before, inside_after; // on either side of it
     // open surfaces at this place, and the side that the ray comes from; from `newly` on those that it meets
@@ -42,7 +53,7 @@ enum class Meeting : std::uint8_t { interface, nothing, leak, too_deep };
 /// silence.
 ///   inside   the shells that the ray is in; body: the one whose medium it runs through, body_at(scene,
 ///   inside)
-/// `found` is written if the answer is `interface`, its t also after a leak.
+/// `found` is written if the answer is `interface`, its arrivals always, its t also after a leak.
 Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction,
                        ShellSet const& inside, std::optional<ObjectId> body, LeftSheets const& left,
                        Interface& found);

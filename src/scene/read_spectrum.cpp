@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace sahl {
 
@@ -130,6 +132,14 @@ Spectrum read_spectrum(Fields const& source, std::filesystem::path const& folder
     return spectrum;
 }
 
+/// To twelve digits of its value in nm: equal bins of two sources, and wavelengths that are written out, are
+/// then the same number, whatever way they came by.
+double rounded(double wavelength) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.12g", wavelength * 1e9);
+    return std::strtod(text, nullptr) * 1e-9;
+}
+
 } // namespace
 
 Pairs binned_spectrum(Fields const& source, std::filesystem::path const& folder) {
@@ -142,7 +152,7 @@ Pairs binned_spectrum(Fields const& source, std::filesystem::path const& folder)
         for (int step = 0; step < steps_in_bin; ++step)
             power += spectrum.power(start + width * (step + 0.5) / steps_in_bin);
         if (power > 0.0)
-            wavelengths.emplace_back(start + 0.5 * width, power);
+            wavelengths.emplace_back(rounded(start + 0.5 * width), power);
     }
     if (wavelengths.empty())
         throw InputError(source.place("spectrum").text(), "this spectrum is dark from from_nm to to_nm",

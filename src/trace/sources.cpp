@@ -13,7 +13,13 @@ namespace sahl {
 
 namespace {
 
-enum Draw : std::uint32_t { first_coordinate = 11, second_coordinate = 12 }; // of the root's random numbers
+/// Of the root's random numbers: two for a point or a direction, two for a place within a cell.
+enum Draw : std::uint32_t {
+    first_coordinate = 11,
+    second_coordinate = 12,
+    across_cell = 13,
+    along_cell = 14
+};
 
 /// The points of a beam's pattern, in units of its radius, or of its size; empty where they are drawn by
 /// number.
@@ -61,6 +67,10 @@ dvec3 across(dvec3 const& toward, dvec3 const& up, dvec2 const& p) {
 }
 
 } // namespace
+
+std::uint64_t seed_again(std::uint64_t seed) {
+    return mix64(seed ^ 0x6A09E667F3BCC908); // digits of √2: another stream, whatever the seed
+}
 
 Emission::Emission(std::vector<SourceSpec> const& sources, WavelengthTable const& optics, std::uint64_t seed)
     : seed_(seed) {
@@ -110,7 +120,7 @@ void Emission::weigh(Prepared& source, std::uint64_t first, SumUnit unit) {
     bool const beam = std::holds_alternative<Beam>(source.spec->emitter);
     auto const weight_of = [&](std::uint64_t within) {
         std::uint64_t const i = within % source.rays;
-        return weight(source, beam ? point(source, i, first + within) : dvec2(0.0), i);
+        return weight(source, beam ? point(source, i, first + within, seed_) : dvec2(0.0), i);
     };
     std::uint64_t const rays = source.rays * source.wavelengths.size();
     for (std::size_t colour = 0; colour < source.wavelengths.size(); ++colour) {
@@ -133,15 +143,22 @@ void Emission::weigh(Prepared& source, std::uint64_t first, SumUnit unit) {
     source.weighted->close(source.spec->power);
 }
 
-dvec2 Emission::point(Prepared const& source, std::uint64_t number, std::uint64_t ray) const {
+dvec2 Emission::point(Prepared const& source, std::uint64_t number, std::uint64_t ray,
+                      std::uint64_t seed) const {
     if (!source.points.empty())
         return source.points[number];
     bool const sobol = std::visit(Overloaded{[](Beam const& b) { return b.pattern == Pattern::sobol; },
                                              [](auto const&) { return true; }},
                                   source.spec->emitter);
-    dvec2 const square =
-        sobol ? sobol_2d(static_cast<std::uint32_t>(number), mix64(seed_))
-              : dvec2(uniform(seed_, ray, 0, first_coordinate), uniform(seed_, ray, 0, second_coordinate));
+    auto const drawn = [&](Draw x, Draw y) {
+        return dvec2(uniform(seed, ray, 0, x), uniform(seed, ray, 0, y));
+    };
+    dvec2 square = sobol ? sobol_2d(static_cast<std::uint32_t>(number), mix64(seed_))
+                         : drawn(first_coordinate, second_coordinate);
+    if (sobol && seed != seed_) { // anywhere in its own cell, as if the points were no more than stratified
+        double const cells = std::max(1.0, std::floor(std::sqrt(static_cast<double>(source.rays))));
+        square = (floor(square * cells) + drawn(across_cell, along_cell)) / cells;
+    }
     Beam const* const beam = std::get_if<Beam>(&source.spec->emitter);
     if (!beam)
         return square;
@@ -158,7 +175,8 @@ double Emission::weight(Prepared const& source, dvec2 const& point, std::uint64_
     return std::exp(-2.0 * dot(at, at) / (*beam->gaussian_radius * *beam->gaussian_radius));
 }
 
-Ray Emission::ray(std::uint64_t number) const {
+Ray Emission::ray(std::uint64_t number, bool again) const {
+    std::uint64_t const seed = again ? seed_again(seed_) : seed_;
     auto const next = std::upper_bound(first_.begin(), first_.end(), number);
     auto const index = static_cast<std::size_t>(next - first_.begin()) - 1;
     Prepared const& source = sources_[index];
@@ -170,7 +188,7 @@ Ray Emission::ray(std::uint64_t number) const {
     std::visit(
         Overloaded{
             [&](Beam const& beam) {
-                dvec2 const p = point(source, i, number);
+                dvec2 const p = point(source, i, number, seed);
                 ray.origin = beam.from + across(beam.toward, beam.up,
                                                 beam.radius > 0.0 ? beam.radius * p : beam.size * p);
                 ray.direction = beam.toward;
@@ -178,7 +196,7 @@ Ray Emission::ray(std::uint64_t number) const {
                     ray.power = source.weighted->of(within, weight(source, p, i) * source.per_weight[colour]);
             },
             [&](PointEmitter const& emitter) { // uniform in the cosine and in azimuth
-                dvec2 const p = point(source, i, number);
+                dvec2 const p = point(source, i, number, seed);
                 double const half = std::sin(0.5 * emitter.half_angle);
                 double const drop = 2.0 * half * half * p.x; // 1 − cos
                 double const side = std::sqrt(drop * (2.0 - drop)), azimuth = 2.0 * std::numbers::pi * p.y;
@@ -188,9 +206,9 @@ Ray Emission::ray(std::uint64_t number) const {
                     normalize((1.0 - drop) * emitter.toward + across(emitter.toward, emitter.up, circle));
             },
             [&](LambertianEmitter const& emitter) {
-                dvec2 const p = point(source, i, number);
-                dvec2 const disk = disk_from_square({uniform(seed_, number, 0, first_coordinate),
-                                                     uniform(seed_, number, 0, second_coordinate)});
+                dvec2 const p = point(source, i, number, seed);
+                dvec2 const disk = disk_from_square({uniform(seed, number, 0, first_coordinate),
+                                                     uniform(seed, number, 0, second_coordinate)});
                 double const up = std::sqrt(std::max(0.0, 1.0 - dot(disk, disk)));
                 ray.origin = emitter.at + across(emitter.toward, emitter.up, emitter.size * (p - 0.5));
                 ray.direction = normalize(up * emitter.toward + across(emitter.toward, emitter.up, disk));

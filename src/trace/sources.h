@@ -12,6 +12,9 @@
 
 namespace sahl {
 
+/// The seed of the draws by which a ray is followed a second time.
+std::uint64_t seed_again(std::uint64_t seed);
+
 struct Ray {
     dvec3 origin{0.0}, direction{0.0}; // m; unit
     double power = 0.0;                // W
@@ -26,7 +29,9 @@ class Emission {
 
     std::uint64_t rays() const { return first_.back(); }
     /// number < rays(). The powers of a source's rays add up to its own exactly, in units of 2⁻⁹⁰ of power().
-    Ray ray(std::uint64_t number) const;
+    /// again   with other draws: of a random pattern, of the directions of a lambertian source, and of a
+    ///         Sobol point within its share of the square
+    Ray ray(std::uint64_t number, bool again = false) const;
     double power() const; // W, of all sources
     /// Number of each source's first ray, and the total as the last entry.
     std::vector<std::uint64_t> const& first_rays() const { return first_; }
@@ -44,7 +49,7 @@ class Emission {
         std::optional<WeightedShares> weighted; // ray by ray, through the wavelengths
     };
     void weigh(Prepared& source, std::uint64_t first, SumUnit unit);
-    dvec2 point(Prepared const& source, std::uint64_t number, std::uint64_t ray) const;
+    dvec2 point(Prepared const& source, std::uint64_t number, std::uint64_t ray, std::uint64_t seed) const;
     double weight(Prepared const& source, dvec2 const& point, std::uint64_t number) const;
 
     std::vector<Prepared> sources_;

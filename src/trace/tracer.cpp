@@ -23,7 +23,8 @@ bool finite(dvec3 const& v) {
 class Grove {
   public:
     Grove(TraceContext const& context, BatchResult& result, SegmentSink& log)
-        : context_(context), result_(result), log_(log) {}
+        : context_(context), result_(result), log_(log),
+          seed_(context.again ? seed_again(context.options.seed) : context.options.seed) {}
 
     void grow(std::uint64_t first, std::uint32_t count);
 
@@ -35,7 +36,7 @@ class Grove {
     void keep(Branch const& branch, DetectorHit const& hit);
     void detect(Branch const& branch, Interface const& interface, double power, double optical_path);
     void detect_escape(Branch const& branch, DetectorId id);
-    void detect_arrival(Branch const& branch, Interface const& interface, double power, double optical_path);
+    void detect_arrival(Branch const& branch, Arrival const& arrival);
     void push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                        double optical_path);
     void pass_on(Branch const& branch, Interface const& interface, double power, double optical_path);
@@ -49,6 +50,7 @@ class Grove {
     TraceContext const& context_;
     BatchResult& result_;
     SegmentSink& log_;
+    std::uint64_t seed_;
     std::uint64_t first_ = 0;
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
@@ -138,7 +140,7 @@ void Grove::plant(std::uint64_t first, std::uint32_t count) {
     next_index_.assign(count, 0);
     generation_.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
-        Ray const ray = context_.emission.ray(first + i);
+        Ray const ray = context_.emission.ray(first + i, context_.again);
         rays_.push_back(ray);
         result_.tally.emitted.add(ray.power, context_.unit);
         Branch root;
@@ -181,6 +183,8 @@ void Grove::trace(Branch const& branch) {
     Interface interface;
     Meeting const meeting = next_interface(context_.scene, branch.origin, branch.direction, branch.inside,
                                            branch.body, branch.left, interface);
+    for (Arrival const& arrival : interface.arrivals)
+        detect_arrival(branch, arrival);
     if (meeting == Meeting::leak || meeting == Meeting::too_deep)
         return lose(branch, meeting == Meeting::leak ? Event::leak : Event::invalid, branch.power,
                     interface.t);
@@ -210,9 +214,7 @@ void Grove::trace(Branch const& branch) {
         return end(branch, counts ? Event::detected : Event::absorbed, power, interface.t, optical_path,
                    &interface);
     }
-    if (!context_.scene.surface_detectors.empty())
-        detect_arrival(branch, interface, power, optical_path);
-    Draw const draw{context_.options.seed, first_ + branch.ray, branch.place};
+    Draw const draw{seed_, first_ + branch.ray, branch.place};
     Branches branches = interact(context_.scene, context_.optics, interface, branch.direction, branch.medium,
                                  wavelength, draw);
     if (branches.absorbed > 0.0) {
@@ -285,31 +287,28 @@ void Grove::detect_escape(Branch const& branch, DetectorId id) {
     keep(branch, hit);
 }
 
-void Grove::detect_arrival(Branch const& branch, Interface const& interface, double power,
-                           double optical_path) {
+void Grove::detect_arrival(Branch const& branch, Arrival const& arrival) {
     Scene const& scene = context_.scene;
+    Body const& body = scene.bodies[scene.faces[arrival.face.value].body.value];
+    dvec3 const from_origin = arrival.point - body.to_world.offset;
+    Ray const& ray = rays_[branch.ray];
+    double const power =
+        branch.power * std::exp(-context_.optics.absorption(branch.medium, ray.wavelength) * arrival.t);
     for (auto const& [face, id] : scene.surface_detectors) {
-        if (face.value != interface.face.value)
-            continue;
-        ObjectId const id_of_body = scene.faces[face.value].body;
-        Body const& body = scene.bodies[id_of_body.value];
-        bool const inside = body.open
-                                ? !interface.against_facing
-                                : interface.body_before && interface.body_before->value == id_of_body.value;
         ArrivesFrom const from = scene.detectors[id.value].from;
-        if ((from == ArrivesFrom::inside && !inside) || (from == ArrivesFrom::outside && inside))
+        if (face.value != arrival.face.value || (from == ArrivesFrom::inside && !arrival.inside) ||
+            (from == ArrivesFrom::outside && arrival.inside))
             continue;
-        dvec3 const from_origin = interface.point - body.to_world.offset;
-        Ray const& ray = rays_[branch.ray];
-        keep(branch, {id,
-                      ray.wavelength,
-                      ray.source,
-                      first_ + branch.ray,
-                      {dot(from_origin, normalize(body.to_world.linear[0])),
-                       dot(from_origin, normalize(body.to_world.linear[1]))},
-                      branch.direction,
-                      power,
-                      optical_path});
+        keep(branch,
+             {id,
+              ray.wavelength,
+              ray.source,
+              first_ + branch.ray,
+              {dot(from_origin, normalize(body.to_world.linear[0])),
+               dot(from_origin, normalize(body.to_world.linear[1]))},
+              branch.direction,
+              power,
+              branch.optical_path + context_.optics.index(branch.medium, ray.wavelength) * arrival.t});
     }
 }
 

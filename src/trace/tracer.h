@@ -65,6 +65,7 @@ struct TraceContext {
     std::uint64_t log_every = 0;          // 0: no log; 1: every ray; n: each n-th
     double log_min_power = 0.0;           // share of the ray's power; what begins with less is not logged
     PathFilters const* filters = nullptr; // or none
+    bool again = false;                   // the same rays with other draws, to see what is left to chance
 };
 
 inline constexpr std::uint64_t rays_per_batch = 4096;

@@ -48,12 +48,12 @@ TEST_CASE("a detector without light has no spot, no peak and no sigma") {
     DetectorRecord const record(screen(4, 2), watt, 1, 1);
     CHECK(!spot_of(record.all(), watt));
     CHECK(record.peak() == 0.0);
-    CHECK(record.sigma(2) == 0.0);
+    CHECK(record.sigma() == 0.0);
     CHECK(record.irradiance() == std::vector<double>(8, 0.0));
     DetectorRecord dark(screen(4, 2), watt, 1, 1);
     dark.add(hit_at({0.0, 0.0}, 0.0)); // a ray without power
     CHECK(!spot_of(dark.all(), watt));
-    CHECK(dark.sigma(2) == 0.0);
+    CHECK(dark.sigma() == 0.0);
 }
 
 TEST_CASE("centroid, rms radius, mean direction and path are the power's") {
@@ -151,24 +151,34 @@ TEST_CASE("what came by wavelength and by source adds up to all, bit for bit") {
     }
 }
 
-TEST_CASE("sigma is 0 for light that is the same in every ray, and right for light that is drawn") {
+TEST_CASE("sigma is 0 for light that comes again, however rays differ, and right for light that is drawn") {
     Dice dice(3);
     std::uint64_t const rays = 20'000;
-    DetectorRecord even(screen(1, 1), watt, 1, 1), drawn(screen(1, 1), watt, 1, 1);
+    DetectorRecord sure(screen(1, 1), watt, 1, 1), drawn(screen(1, 1), watt, 1, 1);
+    TwiceSums sure_twice, drawn_twice;
+    auto const draw = [&] { return dice.uniform() < 0.3 ? 1.0 / rays : 0.0; };
     for (std::uint64_t k = 0; k < rays; ++k) {
-        even.add(hit_at({0.0, 0.0}, 0.25 / rays, k));
-        even.add(hit_at({0.0, 0.0}, 0.75 / rays, k)); // a ray may come in pieces
-        if (dice.uniform() < 0.3)
-            drawn.add(hit_at({0.0, 0.0}, 1.0 / rays, k));
+        double const power = k % 7 == 0 ? 1.0 / rays : 0.0;
+        sure.add(hit_at({0.0, 0.0}, 0.25 * power, k));
+        sure.add(hit_at({0.0, 0.0}, 0.75 * power, k)); // a ray may come in pieces
+        sure_twice.add(power, power, watt);
+        double const once = draw();
+        drawn.add(hit_at({0.0, 0.0}, once, k));
+        if (k % 4 == 0)
+            drawn_twice.add(once, draw(), watt);
     }
-    CHECK(even.sigma(rays) == 0.0);
+    sure.add(sure_twice);
+    drawn.add(drawn_twice);
+    CHECK(sure.sigma() == 0.0);
     // the sum of `rays` draws with chance 0.3
-    CHECK(drawn.sigma(rays) == Approx(std::sqrt(0.3 * 0.7 / rays)).epsilon(0.05));
+    CHECK(drawn.sigma() == Approx(std::sqrt(0.3 * 0.7 / rays)).epsilon(0.05));
 }
 
-TEST_CASE("one ray's sigma is its own power at most") {
+TEST_CASE("where no ray that was followed twice brought light, all light counts as chance") {
     DetectorRecord record(screen(1, 1), watt, 1, 1);
-    record.add(hit_at({0.0, 0.0}, 0.5, 7));
-    CHECK(record.sigma(1) == Approx(0.5));
-    CHECK(record.sigma(100) == Approx(0.5 * std::sqrt(100.0 / 99.0)));
+    record.add(hit_at({0.0, 0.0}, 0.3, 7));
+    record.add(hit_at({0.0, 0.0}, 0.4, 9));
+    CHECK(record.sigma() == 0.0); // nothing is drawn
+    record.add(TwiceSums{});
+    CHECK(record.sigma() == Approx(0.5));
 }
