@@ -22,7 +22,13 @@ PLOTS = {
         "The scene seen from +x",
         ["source.fan.power_W=1", "source.lamp.power_W=1e-9", "source.lamp.point.rays=1", "trace.min_power=0.3"],
     ),
+    "ball-lens": ("The scene seen from +y", ["source.fan.power_W=1", "source.beam.beam.rays=1", "trace.min_power=0.3"]),
     "brilliant": ("power (W) against object.pavilion", []),
+    "bunny-in-a-bright-room": (
+        "The scene seen from +z",
+        [f"source.{wall}.lambertian.rays=6" for wall in ("left", "right", "bottom", "top", "back", "front")]
+        + ["trace.branch=dominant", "trace.max_depth=12"],
+    ),
     "cartesian-oval": (
         "The scene seen from −x",
         ["source.fan to the oval.power_W=1", "source.fan to the ellipsoid.power_W=1", "trace.min_power=0.3"]
@@ -32,6 +38,12 @@ PLOTS = {
         "The scene seen from +y",
         ["source.fan.power_W=1", "source.star.beam.rays=1", "source.companion.beam.rays=1"],
     ),
+    "cemented-doublet": (
+        "The scene seen from −x",
+        ["source.beam.beam.pattern=fan", "source.beam.beam.up=[0, 1, 0]", "source.beam.beam.rays=11"]
+        + ["trace.min_power=0.5"],
+    ),
+    "clad-rod": ("power (W) against group.lamp", []),
     "concentrator": (
         "The scene seen from +y",
         ["sweep={}", "group.sun.turn_deg[1]=28", "source.sky.lambertian.rays=1"]
@@ -48,9 +60,14 @@ PLOTS = {
     "mirror-caustic": ("The scene seen from −y", []),
     "pellin-broca": ("The scene seen from +z", ["trace.min_power=0.1", "source.lamp.beam.rays=1"]),
     "penta-prism": ("The scene seen from +z", ["sweep={}", "trace.min_power=0.1"]),
+    "prism-minimum-deviation": (
+        "The scene seen from +z",
+        ["sweep={}", "source.laser.beam.rays=1", "source.laser.beam.radius_mm=0", "trace.min_power=0.1"],
+    ),
     "roof-prism": ("runs/000/detectors/far away.png", []),
 }
-DRAWN = re.compile(r":root|svg|line|\.(middle|end|halo|grid|axis|body|sheet|detector path|rays|source|curve|dot|cell|w[0-9]+)\b")
+CLASSES = "middle end halo grid axis body sheet detector rays source curve dot cell w[0-9]+".split()
+DRAWN = re.compile(rf":root|svg|line|\.({'|'.join(CLASSES)})\b")
 
 
 def light_rules(page):
@@ -65,12 +82,12 @@ def plot(page, label):
     found = re.search(rf'<svg([^>]*)aria-label="({re.escape(label)}[^"]*)">(.*?)</svg>', page, re.DOTALL)
     if not found:
         sys.exit(f"the report has no drawing whose label begins with: {label}")
+    drawing = re.sub("<style>.*?</style>", "", found.group(3), flags=re.DOTALL)
     size = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', found.group(1)).groups()
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]}" height="{size[1]}"{found.group(1)}'
         f'aria-label="{found.group(2)}">\n<style>{light_rules(page)}\nsvg{{font-family:sans-serif}}</style>\n'
-        f'<rect width="100%" height="100%" fill="#fff"/>{re.sub("<style>.*?</style>", "", found.group(3), flags=re.DOTALL)}'
-        "</svg>\n"
+        f'<rect width="100%" height="100%" fill="#fff"/>{drawing}</svg>\n'
     )
 
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Prints the front of the lens in cartesian-oval.toml: radius, conic constant, aspheric terms of Descartes' oval.
 
-The oval is the surface z(r) from whose every point the optical path from (0, 0, −a) in air and on to (0, 0, b) in glass is the
-same. Its series in u = r² is found in fractions, exactly; the conic that agrees with it up to r⁴ is taken off. Needs Python alone.
+The oval is the surface z(r) from whose every point the optical path from (0, 0, −a) in air and on to (0, 0, b) in glass
+is the same. Its series in u = r² is found in fractions, exactly; the conic that agrees with it up to r⁴ is taken off.
+Needs Python alone.
 """
 
 from fractions import Fraction

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Prints the mirrors of concentrator.toml: a compound parabolic trough of a given acceptance angle and exit, as quadrics.
+"""Prints the mirrors of concentrator.toml, a compound parabolic trough of a given acceptance angle and exit.
 
-A wall is what lies behind its parabola, within a box from the exit's edge outwards. Needs Python alone.
+A wall is a quadric: what lies behind its parabola, within a box from the exit's edge outwards. Needs Python alone.
 """
 
 import math
@@ -12,7 +12,7 @@ LENGTH, THICK = 100.0, 12.0  # mm: of the trough along y, of the box along x
 
 
 def wall():
-    """Coefficients of xx, yy, zz, xy, xz, yz, x, y, z, 1 about the box's middle, its middle and its sizes, of the right wall."""
+    """Of the right wall: coefficients of xx, yy, zz, xy, xz, yz, x, y, z, 1 about the box's middle; that; its sizes."""
     s, c = math.sin(ACCEPTANCE), math.cos(ACCEPTANCE)
     height = (EXIT + EXIT / s) * c / s
     f = EXIT * (1 + s)

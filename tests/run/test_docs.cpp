@@ -1,5 +1,5 @@
 // In: the pages of docs/. Out: that every example which is a whole experiment (it has a title) runs and
-// writes what it asks for, and that no shape, surface, source or detector is without one.
+// writes what it asks for, and that no shape, surface, medium, source or detector is without one.
 #include "run/run.h"
 #include "scene/keys.h"
 #include "support/bench.h"
@@ -97,11 +97,11 @@ TEST_CASE("every example in docs runs, and a detector that is asked for files wr
                 CHECK(has_file(out / "detectors", ending));
             }
     }
-    CHECK(count >= 19);
+    CHECK(count >= 20);
 }
 
-TEST_CASE("every shape, surface, source and detector has an example in docs", "[docs]") {
-    Keys shapes, surfaces, sources, detectors;
+TEST_CASE("every shape, surface, medium, source and detector has an example in docs", "[docs]") {
+    Keys shapes, surfaces, media, sources, detectors;
     for (Example const& example : examples()) {
         Value const tree = parse_toml(example.text, example.page);
         for (auto const& [key, keys] : {std::pair{"source", &sources}, std::pair{"detector", &detectors}})
@@ -109,12 +109,14 @@ TEST_CASE("every shape, surface, source and detector has an example in docs", "[
         if (Value const* const objects = tree.find("object"))
             for (Value const& object : std::get<Array>(objects->data))
                 add_keys(shapes, object.find("shape"));
-        if (Value const* const named = tree.find("surface"))
-            for (auto const& [unused, surface] : std::get<Table>(named->data))
-                add_keys(surfaces, &surface);
+        for (auto const& [key, keys] : {std::pair{"surface", &surfaces}, std::pair{"medium", &media}})
+            if (Value const* const named = tree.find(key))
+                for (auto const& [unused, one] : std::get<Table>(named->data))
+                    add_keys(*keys, &one);
     }
     all_are_shown(keys::shape, shapes);
     all_are_shown(keys::surface, surfaces);
+    all_are_shown(keys::medium, media);
     all_are_shown(keys::source, sources);
     all_are_shown(keys::detector, detectors);
 }
