@@ -22,8 +22,10 @@ std::vector<Value> range_values(Fields const& fields) {
     auto const steps = fields.integer("steps");
     std::vector<Value> values;
     for (std::int64_t i = 0; i < steps; ++i) {
-        double const share = steps == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(steps - 1);
-        values.push_back({i + 1 == steps && steps > 1 ? to : from + (to - from) * share, fields.place()});
+        // divided last, so that whole numbers stay whole
+        double const way =
+            steps == 1 ? 0.0 : (to - from) * static_cast<double>(i) / static_cast<double>(steps - 1);
+        values.push_back({i + 1 == steps && steps > 1 ? to : from + way, fields.place()});
     }
     return values;
 }

@@ -101,6 +101,33 @@ TEST_CASE("every experiment passes, and its log tells the ledger of its summary"
     CHECK(found >= 27);
 }
 
+TEST_CASE("every experiment is on the list and has a page with its theory, expected values and a plot") {
+    auto const text_of = [](fs::path const& page) {
+        std::ifstream in(page);
+        REQUIRE(in.good());
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    fs::path const folder = fs::path(SAHL_SOURCE_DIR) / "experiments";
+    std::string const list = text_of(folder / "README.md");
+    for (auto const& entry : fs::directory_iterator(folder)) {
+        if (!entry.is_directory())
+            continue;
+        std::string const name = entry.path().filename().string();
+        CAPTURE(name);
+        CHECK(list.find("(" + name + "/README.md)") != list.npos);
+        std::string const page = text_of(entry.path() / "README.md");
+        if (name != "stability") // six experiments, whose page is a report
+            for (char const* heading : {"\n## Theory\n", "\n## What to "})
+                CHECK(page.find(heading) != page.npos);
+        std::size_t plots = 0;
+        for (std::size_t at = page.find("!["); at != page.npos; at = page.find("![", at + 1), ++plots) {
+            std::size_t const open = page.find("](", at) + 2;
+            CHECK(fs::exists(entry.path() / page.substr(open, page.find(')', open) - open)));
+        }
+        CHECK(plots >= 1);
+    }
+}
+
 TEST_CASE("the prism experiment finds the least deviation", "[slow]") {
     Folder const out;
     run_experiment_of("prism-minimum-deviation", out.path() / "out", {"trace.log=false"});
