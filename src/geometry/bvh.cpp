@@ -1,6 +1,7 @@
 #include "geometry/bvh.h"
 
 #include "geometry/embree/box_tree.h"
+#include "geometry/mesh_store.h"
 #include "geometry/placed.h"
 #include "geometry/survey.h"
 #include "geometry/touching.h"
@@ -57,24 +58,17 @@ struct Slabs {
 
 } // namespace
 
-Bvh::Bvh(std::vector<PlacedGeometry> geometries) : state_(std::make_unique<State>()) {
-    std::map<Mesh const*, std::shared_ptr<MeshTree const>> trees; // instances share one
-    std::map<Mesh const*, std::shared_ptr<MeshSheet const>> sheets;
-    auto const shared = [](auto& known, std::shared_ptr<Mesh const> const& mesh) {
-        auto& one = known[mesh.get()];
-        using Kind = typename std::remove_reference_t<decltype(one)>::element_type;
-        if (!one)
-            one = std::make_shared<Kind>(mesh);
-        return one;
-    };
+Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std::make_unique<State>()) {
+    MeshStore own; // instances share what is made of a mesh
+    MeshStore& made = store ? *store : own;
     for (PlacedGeometry& geometry : geometries) {
         std::shared_ptr<MeshTree const> tree;
         std::shared_ptr<MeshSheet const> sheet;
         if (auto const* const mesh = std::get_if<std::shared_ptr<Mesh const>>(&geometry.geometry)) {
             if (geometry.open)
-                sheet = shared(sheets, *mesh);
+                sheet = made.sheet(*mesh);
             else
-                tree = shared(trees, *mesh);
+                tree = made.tree(*mesh);
         }
         state_->objects.push_back(place(std::move(geometry), std::move(tree), std::move(sheet)));
         Placed const& placed = state_->objects.back();

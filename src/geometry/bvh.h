@@ -70,9 +70,12 @@ struct NextHit {
     bool fits = true; // false: more coincides there than can be held, and what is held is not all
 };
 
+class MeshStore;
+
 class Bvh {
   public:
-    explicit Bvh(std::vector<PlacedGeometry> geometries);
+    /// store   what is made of meshes comes from there, and stays there; none: it is this scene's alone
+    explicit Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store = nullptr);
     Bvh(Bvh&&) noexcept;
     Bvh& operator=(Bvh&&) noexcept;
     ~Bvh();

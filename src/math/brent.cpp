@@ -13,8 +13,8 @@ double const golden = (3.0 - std::sqrt(5.0)) / 2.0; // share of an interval, 0.3
 
 } // namespace
 
-std::optional<Found> brent_minimum(std::function<double(double)> const& f, double a, double b,
-                                   double tolerance, unsigned most) {
+std::optional<Solution> brent_minimum(std::function<double(double)> const& f, double a, double b,
+                                      double tolerance, unsigned most) {
     if (a > b)
         std::swap(a, b);
     double x = a + golden * (b - a), w = x, v = x; // best, second best, the second best before
@@ -23,7 +23,7 @@ std::optional<Found> brent_minimum(std::function<double(double)> const& f, doubl
     for (unsigned made = 1;; ++made) {
         double const middle = 0.5 * (a + b), tol = ulp * std::abs(x) + tolerance;
         if (std::abs(x - middle) <= 2.0 * tol - 0.5 * (b - a))
-            return Found{x, fx};
+            return Solution{x, fx};
         if (made >= most)
             return {};
         double p = 0.0, q = 0.0, r = 0.0;
@@ -61,8 +61,8 @@ std::optional<Found> brent_minimum(std::function<double(double)> const& f, doubl
     }
 }
 
-std::optional<Found> brent_zero(std::function<double(double)> const& f, double a, double fa, double b,
-                                double fb, double tolerance, unsigned most) {
+std::optional<Solution> brent_zero(std::function<double(double)> const& f, double a, double fa, double b,
+                                   double fb, double tolerance, unsigned most) {
     double c = a, fc = fa; // the zero lies between b, the best, and c
     double step = b - a, before = step;
     for (unsigned made = 0;; ++made) {
@@ -81,7 +81,7 @@ std::optional<Found> brent_zero(std::function<double(double)> const& f, double a
         }
         double const tol = 2.0 * ulp * std::abs(b) + tolerance, half = 0.5 * (c - b);
         if (std::abs(half) <= tol || fb == 0.0)
-            return Found{b, fb};
+            return Solution{b, fb};
         if (made >= most)
             return {};
         double p = 0.0, q = 0.0;

@@ -6,6 +6,7 @@
 #include "run/side_by_side.h"
 #include "run/sweep_table.h"
 #include "run/values.h"
+#include "scene/model_cache.h"
 #include "scene/read_sweep.h"
 #include "scene/read_table.h"
 
@@ -30,6 +31,7 @@ class Seeker {
         : source_(source), goal_(goal), options_(options) {
         options_.threads = threads_of(options.threads);
         options_.progress = {};
+        options_.models = &models_;
     }
 
     std::vector<SweepRow> const& rows() const { return rows_; }
@@ -169,6 +171,7 @@ class Seeker {
 
     ExperimentSource const& source_;
     GoalSpec const& goal_;
+    ModelCache models_;
     RunOptions options_;
     std::vector<SweepRow> rows_;
     std::vector<std::string> keys_{goal_.key};

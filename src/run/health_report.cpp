@@ -1,5 +1,6 @@
 #include "run/health_report.h"
 
+#include "geometry/mesh_store.h"
 #include "run/values.h"
 
 #include <algorithm>
@@ -149,7 +150,9 @@ Value models_value(Scene const& scene, bool look_for_intersections, Remarks* rem
                                                     {"closed", *like.find("closed")}}));
             continue;
         }
-        MeshHealth const health = health_of(*body.mesh, look_for_intersections);
+        bool const known = scene.meshes && !look_for_intersections;
+        MeshHealth const health =
+            known ? *scene.meshes->health(body.mesh) : health_of(*body.mesh, look_for_intersections);
         models.emplace_back(body.name, health_value(*body.mesh, health, body.to_world));
         if (remarks)
             remarks->add(health_remarks(body.name, *body.mesh, health, body.to_world, !body.open));

@@ -73,7 +73,7 @@ void write_text(fs::path const& file, std::string const& text) {
 OneRun run_once(ExperimentSource const& source, Experiment const& experiment, RunOptions const& options,
                 fs::path const& folder) {
     OneRun run;
-    run.scene = build_scene(experiment);
+    run.scene = build_scene(experiment, options.models);
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
     RunFacts const facts{program_name(), sha256(source.text), source.set};
@@ -111,9 +111,9 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     return run;
 }
 
-OneRun drawn_again(Experiment const& experiment, Value summary, fs::path const& folder) {
+OneRun drawn_again(Experiment const& experiment, Value summary, fs::path const& folder, ModelCache* models) {
     OneRun run;
-    run.scene = build_scene(experiment);
+    run.scene = build_scene(experiment, models);
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
     run.summary = std::move(summary);

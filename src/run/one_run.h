@@ -20,7 +20,8 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
                 std::filesystem::path const& folder);
 
 /// What run_once returned for a run that stands in `folder` already, without tracing all of it again.
-OneRun drawn_again(Experiment const& experiment, Value summary, std::filesystem::path const& folder);
+OneRun drawn_again(Experiment const& experiment, Value summary, std::filesystem::path const& folder,
+                   ModelCache* models);
 
 /// report.html, of a run, or with keys and rows of a sweep; nothing where the folder is empty.
 void write_page(std::filesystem::path const& folder, OneRun const& run, Value const& summary,

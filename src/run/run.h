@@ -12,6 +12,8 @@
 
 namespace sahl {
 
+class ModelCache;
+
 /// An experiment file as read, with what was set on top of it.
 struct ExperimentSource {
     std::filesystem::path file;
@@ -30,6 +32,7 @@ struct RunOptions {
         log_file;      // instead of rays.h5 in the folder; its presence turns the log on
     Progress progress; // of each run
     std::function<void(std::size_t step, std::size_t steps)> sweep_progress;
+    ModelCache* models = nullptr; // those of earlier runs; none: each run reads its own
 };
 
 struct RunResult {

@@ -6,6 +6,7 @@
 #include "run/side_by_side.h"
 #include "run/sweep_table.h"
 #include "run/values.h"
+#include "scene/model_cache.h"
 #include "scene/read_file.h"
 #include "scene/read_sweep.h"
 
@@ -79,7 +80,8 @@ struct Steps {
         if (auto summary = folder.empty() ? std::nullopt : kept_summary(place)) {
             kept[i] = 1;
             if (i == 0)
-                run = drawn_again(read_experiment(step.source.tree, step.source.file), *summary, place);
+                run = drawn_again(read_experiment(step.source.tree, step.source.file), *summary, place,
+                                  how.models);
             for (Value const& failure : std::get<Array>(summary->find("failures")->data))
                 failures[i].push_back(step.words + ": " + std::get<std::string>(failure.data));
             run.summary = std::move(*summary);
@@ -96,6 +98,8 @@ struct Steps {
 
 void run_all(Steps& steps, std::size_t runs) {
     RunOptions how = steps.options;
+    ModelCache models; // a step that changes nothing of a model does not read it again
+    how.models = &models;
     how.threads = threads_of(how.threads);
     // HDF5 writes one log at a time, and the rays of a run that has a log fill the threads
     bool const apart = steps.experiment.log.on && !steps.folder.empty();

@@ -132,9 +132,12 @@ void report(std::string const& name, ModelPart const& part, std::vector<FaceRule
 
 } // namespace
 
-std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
-                                ModelMesh const& source, MaterialBook& materials) {
-    auto const mesh = std::make_shared<Mesh const>(make_mesh(source.soup));
+std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& reference, ModelCache& cache,
+                                std::shared_ptr<Model const> const& from, std::size_t number,
+                                MaterialBook& materials) {
+    Model const& model = *from;
+    ModelMesh const& source = model.meshes[number];
+    std::shared_ptr<Mesh const> const mesh = cache.mesh(from, number);
     std::vector<FaceRule> rules;
     for (std::size_t face = 0; face < source.face_material.size(); ++face)
         rules.push_back(rule_of(object, reference, model, source, face));
@@ -174,7 +177,7 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
     for (std::size_t i = 0; i < parts.size(); ++i) {
         ModelPart& part = parts[i];
         if (parts.size() > 1)
-            part.mesh = std::make_shared<Mesh const>(part_of(*mesh, shells[i]));
+            part.mesh = cache.part(mesh, shells[i]);
         std::vector<bool> used(rules.size(), false);
         for (std::uint32_t const face : part.mesh->soup.triangle_face)
             used[face] = true;

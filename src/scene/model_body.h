@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/model.h"
+#include "scene/model_cache.h"
 #include "scene/model_material.h"
 #include "scene/scene.h"
 
@@ -27,8 +28,9 @@ struct ModelPart {
 /// the file says. A closed component of glass is a body. An open one is a thin wall of glass or a surface,
 /// unless the experiment itself says what medium it is: then a body with holes. Throws InputError where
 /// nothing says what a component is made of.
-std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& reference, Model const& model,
-                                ModelMesh const& source, MaterialBook& materials);
+std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& reference, ModelCache& cache,
+                                std::shared_ptr<Model const> const& model, std::size_t mesh,
+                                MaterialBook& materials);
 
 /// Interpolated where the mesh has normals, unless the experiment asks for one method.
 Method object_method(Mesh const& mesh, Method asked);

@@ -2,8 +2,8 @@
 
 #include "scene/closeness.h"
 #include "scene/model_body.h"
+#include "scene/model_cache.h"
 #include "scene/model_parts.h"
-#include "scene/read_model.h"
 #include "scene/read_table.h"
 
 #include "math/input_error.h"
@@ -18,6 +18,7 @@ namespace {
 struct Builder {
     Scene scene;
     std::vector<PlacedGeometry> geometries;
+    ModelCache& models;
 
     FaceId next_face() const { return {static_cast<std::uint32_t>(scene.faces.size())}; }
     ShellId next_shell() const { return {static_cast<std::uint32_t>(scene.shells.size())}; }
@@ -91,7 +92,8 @@ FaceId Builder::face_called(std::string const& name, Place const& place) const {
 }
 
 void Builder::add_model(ObjectSpec const& object, ModelReference const& reference) {
-    Model const model = read_model(reference.path);
+    std::shared_ptr<Model const> const read = models.model(reference.path);
+    Model const& model = *read;
     scene.models.push_back(reference.path.string());
     for (std::string const& warning : model.warnings)
         scene.warnings.push_back(object.name + ": " + warning);
@@ -105,7 +107,7 @@ void Builder::add_model(ObjectSpec const& object, ModelReference const& referenc
     for (ModelInstance const* instance : instances) {
         auto& of_mesh = parts[instance->mesh];
         if (of_mesh.empty())
-            of_mesh = parts_of(object, reference, model, model.meshes[instance->mesh], materials);
+            of_mesh = parts_of(object, reference, models, read, instance->mesh, materials);
         if (of_mesh.empty())
             materials.warn("mesh " + model.meshes[instance->mesh].name + " has no triangles");
         Affine const to_world = compose(object.to_world, compose(unit, instance->to_world));
@@ -145,8 +147,9 @@ void Builder::add_part(ObjectSpec const& object, ModelPart const& part, Affine c
 
 } // namespace
 
-Scene build_scene(Experiment const& experiment) {
-    Builder builder;
+Scene build_scene(Experiment const& experiment, ModelCache* cache) {
+    ModelCache own;
+    Builder builder{{}, {}, cache ? *cache : own};
     Scene& scene = builder.scene;
     scene.media = experiment.media;
     scene.surfaces = experiment.surfaces;
@@ -162,7 +165,8 @@ Scene build_scene(Experiment const& experiment) {
             builder.add_shape(object, std::get<Shape>(object.what));
     for (std::uint32_t i = 0; i < experiment.detectors.size(); ++i)
         builder.add_detector(experiment.detectors[i], {i});
-    scene.bvh = std::make_unique<Bvh const>(std::move(builder.geometries));
+    scene.meshes = builder.models.store();
+    scene.bvh = std::make_unique<Bvh const>(std::move(builder.geometries), scene.meshes.get());
     for (std::string& warning : overlap_warnings(scene))
         scene.warnings.push_back(std::move(warning));
     return std::move(builder.scene);

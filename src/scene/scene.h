@@ -52,10 +52,14 @@ struct Scene {
     std::vector<DetectorId> sphere_detectors{};                     // they count what escapes
     std::vector<std::pair<FaceId, DetectorId>> surface_detectors{}; // they count what arrives at a face
     std::unique_ptr<Bvh const> bvh{};
+    std::shared_ptr<MeshStore> meshes{}; // what is made of meshes, for this and other scenes; may be absent
 };
 
+class ModelCache;
+
 /// Reads the experiment's models and puts everything in its place. Throws InputError.
-Scene build_scene(Experiment const& experiment);
+///   cache   where models come from that were read before, and where they stay; none: they are this scene's
+Scene build_scene(Experiment const& experiment, ModelCache* cache = nullptr);
 
 /// The body that fills a place: of those that the shells belong to, the one of highest priority, of equals
 /// the later.
