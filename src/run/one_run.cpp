@@ -4,7 +4,6 @@
 #include "report/page.h"
 #include "run/detector_files.h"
 #include "run/polarisation_pilot.h"
-#include "run/sha256.h"
 #include "run/summary.h"
 
 #include <algorithm>
@@ -76,7 +75,7 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     run.scene = build_scene(experiment, options.models);
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
-    RunFacts const facts{program_name(), sha256(source.text), source.set};
+    RunFacts const facts{program_name(), experiment_sha256(source), source.set};
 
     for (std::string& warning : unclosed_warnings(run.scene))
         run.scene.warnings.push_back(std::move(warning));

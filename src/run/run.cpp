@@ -4,7 +4,9 @@
 #include "run/goal.h"
 #include "run/one_run.h"
 #include "run/run_folder.h"
+#include "run/sha256.h"
 #include "run/sweep.h"
+#include "scene/read_file.h"
 #include "scene/read_model.h"
 
 namespace sahl {
@@ -13,6 +15,14 @@ namespace fs = std::filesystem;
 
 std::string program_name() {
     return "sahl " SAHL_VERSION;
+}
+
+std::string experiment_sha256(ExperimentSource const& source) {
+    std::string all = source.text;
+    if (Value const* const catalogues = source.tree.find("catalogues"))
+        for (Value const& item : std::get<Array>(catalogues->data))
+            all += "\n" + sha256(file_text(source.file.parent_path() / std::get<std::string>(item.data)));
+    return sha256(all);
 }
 
 ExperimentSource load_experiment(fs::path const& file, std::vector<std::string> const& set) {

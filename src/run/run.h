@@ -44,6 +44,9 @@ struct RunResult {
 /// detectors/, sweep.csv and report.html. Throws InputError, and then nothing is written.
 RunResult run_experiment(ExperimentSource const& source, RunOptions const& options);
 
+/// Of the file as read; where it names catalogues of glasses, of that and what stands in them.
+std::string experiment_sha256(ExperimentSource const& source);
+
 /// "sahl 0.1.0".
 std::string program_name();
 

@@ -5,6 +5,8 @@
 
 #include "math/input_error.h"
 #include "run/run.h"
+#include "run/sha256.h"
+#include "run/sweep.h"
 
 #include <cmath>
 #include <filesystem>
@@ -264,4 +266,24 @@ TEST_CASE("a goal that cannot be come to says why and writes nothing") {
     CHECK(fault_of(scratch, "[goal]\nreach = \"energy_W.emitted\"\n" + vary).find("value") !=
           std::string::npos);
     CHECK_FALSE(fs::exists(scratch.path / "out"));
+}
+
+TEST_CASE("a catalogue that changes makes another experiment, and no resumed sweep") {
+    Scratch const scratch;
+    auto const write = [&](char const* index) {
+        std::ofstream(scratch.path / "my.agf")
+            << "NM MINE 2 0 1.5 50\nCD " << index << " 0 0 0 0 0\nLD 0.3 2\n";
+    };
+    auto const source = [&] {
+        return experiment(scratch, "[sweep]\n\"object.prism.turn_deg[2]\" = [-25, -20]\n",
+                          {"catalogues=[\"my.agf\"]", "object.prism.medium=\"MINE\""});
+    };
+    write("1.25");
+    std::string const sum = experiment_sha256(source()), identity = sweep_identity(source());
+    CHECK(experiment_sha256(source()) == sum);
+    write("1.26");
+    CHECK(experiment_sha256(source()) != sum);
+    CHECK(sweep_identity(source()) != identity);
+    ExperimentSource const plain = experiment(scratch, "");
+    CHECK(experiment_sha256(plain) == sha256(plain.text)); // without one: of the file
 }
