@@ -17,7 +17,7 @@ struct Chord {
     double leave_slope = -1.0; // where it leaves; < 0: as `slope`
 };
 
-using Chords = InlineVector<Chord, 9>;
+using Chords = InlineVector<Chord, most_sheet_crossings / 2 + 1>;
 
 /// Both ends of the line's way through |P(x) − a| ≤ b, P the projection that `origin` and `direction` already
 /// had.
@@ -268,9 +268,10 @@ inline dvec3 settle(Region const& region, dvec3& point) {
         return -region.side * normal;
     }
     case Region::Kind::quadric: {
-        dvec3 local = point - region.a;
+        dvec3 const before = point - region.a;
+        dvec3 local = before;
         dvec3 const normal = settle(*region.quadric, local);
-        point = region.a + local;
+        point += local - before; // a cone's apex may be so far off that the way back would lose digits
         return normal;
     }
     case Region::Kind::block:

@@ -11,6 +11,11 @@
 
 namespace sahl {
 
+/// So many even aspheric terms at most: with K of them a line meets the implicit form, a polynomial of degree
+/// 4 (K + 1), as often, twice more its continuation beyond the equator, and twice the plane beyond the rim.
+inline constexpr std::size_t most_aspheric_terms = 15;
+inline constexpr std::size_t most_sheet_crossings = 4 * (most_aspheric_terms + 1) + 4;
+
 /// z = c r²/(1 + √(1 − (1 + k) c² r²)) + Σ terms[i] r^(4 + 2i), lengths in m.
 struct Revolved {
     double curvature = 0.0, conic = 0.0;
@@ -35,7 +40,7 @@ class RevolvedSheet {
         double slope = 0.0; // |n·d|
         bool rises = false; // from below to above (+z)
     };
-    using Roots = InlineVector<Root, 16>;
+    using Roots = InlineVector<Root, most_sheet_crossings>;
 
     /// All crossings, alternately up and down where the surface is extended. Between two bounds of the
     /// height's slope along the line (interval arithmetic) each root is bracketed before Newton's method is

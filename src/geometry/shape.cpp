@@ -107,6 +107,9 @@ std::string lens_problem(Lens const& lens) {
         return "conic1 and conic2 must be finite";
     if (!all_finite(lens.aspheric1) || !all_finite(lens.aspheric2))
         return "aspheric1 and aspheric2 must be lists of finite numbers";
+    if (std::max(lens.aspheric1.size(), lens.aspheric2.size()) > most_aspheric_terms)
+        return "aspheric1 and aspheric2 may have " + std::to_string(most_aspheric_terms) +
+               " coefficients; leave out what is beyond r^" + std::to_string(2 * most_aspheric_terms + 2);
     for (auto const& [key, radius, form] :
          {std::tuple{"r1_mm", lens.r1, front_of(lens)}, std::tuple{"r2_mm", lens.r2, back_of(lens)}}) {
         std::string const with = form.conic == 0.0 ? "" : " and this conic";

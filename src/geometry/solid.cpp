@@ -39,6 +39,7 @@ Region with(Quadric const* quadric, dvec3 const& origin) {
 } // namespace
 
 Solid::Solid(Shape const& shape) {
+    static_assert(sizeof(Crossings) >= 2 * (most_sheet_crossings + 2) * sizeof(SolidCrossing));
     auto const add = [this](Region const& region) { regions_.push_back(region); };
     std::visit(
         Overloaded{

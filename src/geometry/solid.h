@@ -74,7 +74,7 @@ class Solid {
     InlineVector<Region, 6> const& regions() const { return regions_; }
 
   private:
-    using Crossings = InlineVector<SolidCrossing, 48>;
+    using Crossings = InlineVector<SolidCrossing, 144>; // of two sheets and a tube: revolved.h
     Crossings all(dvec3 const& origin, dvec3 const& direction, double rounding) const;
 
     RevolvedSheet const* keep(RevolvedSheet sheet);

@@ -90,3 +90,30 @@ TEST_CASE("a conic is met in closed form from places on it, and at grazing angle
         }
     }
 }
+
+TEST_CASE("a surface of as many ripples as its terms allow is crossed at each of them", "[geometry]") {
+    // A s² (s − s₁) … (s − s₉) over s = r², multiplied out; denser towards both ends, where it stays small
+    constexpr int ripples = 9;
+    std::vector<double> terms{3e3}, places;
+    for (int j = 1; j <= ripples; ++j) {
+        double const root = 0.55 - 0.45 * std::cos(3.14159265358979 * (j - 0.5) / ripples);
+        places.push_back(root);
+        terms.push_back(0.0);
+        for (std::size_t i = terms.size() - 1; i > 0; --i)
+            terms[i] = terms[i - 1] - root * terms[i];
+        terms[0] *= -root;
+    }
+    REQUIRE(terms.size() <= most_aspheric_terms);
+    RevolvedSheet const sheet({0.0, 0.0, terms}, 1.0);
+    auto const roots = sheet.roots({-2.0, 0.01, 0.0}, {1.0, 0.0, 0.0}, 1e-14, false);
+    REQUIRE(roots.size() == 2 * ripples);
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        double const x = roots[i].t - 2.0, s = x * x + 1e-4;
+        std::size_t const k = i < ripples ? ripples - 1 - i : i - ripples;
+        CHECK(s == Approx(places[k]).margin(1e-9)); // the sum's cancellation
+        CHECK((i == 0 || roots[i].rises != roots[i - 1].rises));
+    }
+    CHECK(shape_problem(Lens{0.0, 0.0, 1.0, 0.5, 0.0, 0.0, std::vector<double>(15, 1e-3)}).empty());
+    CHECK(shape_problem(Lens{0.0, 0.0, 1.0, 0.5, 0.0, 0.0, std::vector<double>(16, 1e-3)})
+              .find("15 coefficients") != std::string::npos);
+}
