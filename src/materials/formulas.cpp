@@ -132,6 +132,12 @@ std::optional<Dispersion> agf_formula(int number, std::span<double const> coeffi
     }
 }
 
+Dispersion agf_sellmeier_2_with_squares(std::span<double const> coefficients) {
+    std::array<double, 10> c{};
+    std::copy(coefficients.begin(), coefficients.end(), c.begin());
+    return sellmeier(c[0], std::array{c[1], c[2] * c[2], c[3], c[4] * c[4]});
+}
+
 std::string_view agf_formula_name(int number) {
     constexpr std::array<std::string_view, 13> names{
         "Schott",      "Sellmeier 1", "Herzberger",           "Sellmeier 2",

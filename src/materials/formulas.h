@@ -29,6 +29,10 @@ std::optional<Dispersion> page_formula(int number, std::span<double const> coeff
 /// Empty for any other number, and for more than ten coefficients.
 std::optional<Dispersion> agf_formula(int number, std::span<double const> coefficients);
 
+/// Formula 4 as many programs read it: n² − 1 = A + B1 λ²/(λ² − λ1²) + B2 λ²/(λ² − λ2²). At most ten
+/// coefficients.
+Dispersion agf_sellmeier_2_with_squares(std::span<double const> coefficients);
+
 /// What AGF files call formula 1 to 13: "Schott". Empty for any other number.
 std::string_view agf_formula_name(int number);
 

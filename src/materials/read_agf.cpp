@@ -77,6 +77,19 @@ std::vector<std::pair<double, double>> absorption_of(std::vector<Draft::Transmit
     return table;
 }
 
+constexpr double d_line = 587.5618e-9; // m, helium; n_d is the index there
+
+/// Of Sellmeier 2 there are two readings (see formulas.h): the one that gives the file's own n_d, to what
+/// rounding of figures leaves, is meant.
+Dispersion meant_by_index(Dispersion index, GlassEntry const& entry) {
+    Dispersion const other = agf_sellmeier_2_with_squares(entry.coefficients);
+    auto const off = [&](Dispersion const& reading) {
+        double const n = refractive_index(reading, d_line);
+        return std::isfinite(n) ? std::abs(n - entry.nd) : INFINITY;
+    };
+    return entry.nd > 1.0 && off(other) < 1e-4 && off(index) > 1e-3 ? other : index;
+}
+
 GlassEntry finish(Draft draft, std::string const& file) {
     std::string const place = place_of(file, draft.name_line);
     if (draft.entry.coefficients.empty())
@@ -88,7 +101,7 @@ GlassEntry finish(Draft draft, std::string const& file) {
     auto const index = agf_formula(draft.formula, draft.entry.coefficients);
     if (!index)
         throw InputError(place, "\"" + draft.entry.name + "\" has more than ten coefficients", "leave ten");
-    draft.entry.medium.index = *index;
+    draft.entry.medium.index = draft.formula == 4 ? meant_by_index(*index, draft.entry) : *index;
     draft.entry.medium.absorption = absorption_of(std::move(draft.internal));
     check_entry(draft.entry, place);
     return std::move(draft.entry);

@@ -191,3 +191,19 @@ TEST_CASE("what is wrong in a page is told with its line") {
     std::string const k_again = "  - type: tabulated k\n    data: |\n        0.500 1.0E-08\n";
     CHECK(starts(refusal(page_text + k_again, true), "page.yml:14: this page gives k more than once"));
 }
+
+TEST_CASE("of the two readings of an AGF file's Sellmeier 2 the one that gives its n_d is meant") {
+    double const squared = 587.5618e-3 * 587.5618e-3, a = 0.6, b1 = 0.9, l1 = 0.1, b2 = 0.4, l2 = 8.0;
+    double const with = std::sqrt(1.0 + a + b1 * squared / (squared - l1 * l1) +
+                                  b2 * squared / (squared - l2 * l2)),
+                 without = std::sqrt(1.0 + a + b1 * squared / (squared - l1 * l1) + b2 / (squared - l2 * l2));
+    REQUIRE(std::abs(with - without) > 1e-3);
+    auto const index = [&](double nd) {
+        std::string const text = "NM X 4 0 " + std::to_string(nd) + " 50\nCD 0.6 0.9 0.1 0.4 8\nLD 0.4 1\n";
+        return refractive_index(read_agf(text, "my.agf", "my").front().medium.index, 587.5618e-9);
+    };
+    CHECK(index(with) == Approx(with).epsilon(1e-14));
+    CHECK(index(without) == Approx(without).epsilon(1e-14));
+    CHECK(index(1.7) == Approx(without).epsilon(1e-14)); // neither
+    CHECK(index(0.0) == Approx(without).epsilon(1e-14)); // not said
+}

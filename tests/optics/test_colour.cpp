@@ -61,3 +61,15 @@ TEST_CASE("D65 is white in sRGB, red light is red, darkness is black", "[colour]
     CHECK(red.z == 0.0);
     CHECK(srgb_of(dvec3(0.0)) == dvec3(0.0));
 }
+
+TEST_CASE("D65 is the table of the CIE at its ends too, and half way between its entries") {
+    // CIE 15, table of D65 at intervals of 5 nm; ours has every second entry
+    std::pair<double, double> const table[] = {
+        {300, 0.0341},  {305, 1.6643},  {310, 3.2945},  {315, 11.7652}, {320, 20.236},  {325, 28.6447},
+        {330, 37.0535}, {335, 38.5011}, {340, 39.9488}, {345, 42.4302}, {350, 44.9117}, {355, 45.775},
+        {360, 46.6383}, {365, 49.3637}, {370, 52.0891}, {375, 51.0323}, {785, 63.8434}, {790, 64.304},
+        {795, 61.8779}, {800, 59.4519}, {805, 55.7054}, {810, 51.959},  {815, 54.6998}, {820, 57.4406},
+        {825, 58.8765}, {830, 60.3125}};
+    for (auto const& [nm, power] : table)
+        CHECK(illuminant_d65(nm * 1e-9) == Approx(power).margin(6e-5)); // four decimals, and half of one
+}
