@@ -4,20 +4,24 @@
 #include "geometry/tessellate.h"
 #include "math/input_error.h"
 #include "record/export_csv.h"
+#include "record/export_text.h"
 #include "record/export_tm25.h"
+#include "record/export_vtp.h"
 #include "record/read_rays.h"
 #include "run/export_model.h"
+#include "run/export_rays.h"
 
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace sahl {
 
 namespace {
 
 struct ExportArguments {
-    std::string from, to, detector, where;
+    std::string from, to, detector, where, layout, bodies, colour = "wavelength";
     std::vector<std::string> set;
     unsigned fineness = 120;
 };
@@ -37,6 +41,16 @@ void export_bodies(ExportArguments const& arguments) {
     export_model(load_experiment(arguments.from, arguments.set), arguments.fineness, to);
 }
 
+std::optional<ExperimentSource> bodies_of(ExportArguments const& arguments) {
+    if (arguments.bodies.empty())
+        return {};
+    return load_experiment(arguments.bodies);
+}
+
+ColourBy colour_by(std::string const& name) {
+    return name == "power" ? ColourBy::power : name == "depth" ? ColourBy::depth : ColourBy::wavelength;
+}
+
 void export_rays(ExportArguments const& arguments) {
     std::filesystem::path const to = arguments.to;
     if (!arguments.set.empty())
@@ -45,13 +59,22 @@ void export_rays(ExportArguments const& arguments) {
     RayLogReader const log(arguments.from);
     auto const filter = log_filter(log.header(), arguments.where, "--where");
     PathFilter const* const where = filter ? &*filter : nullptr;
-    if (to.extension() == ".csv")
+    if (to.extension() == ".csv" && arguments.layout == "soltrace")
+        export_soltrace(log, to, where);
+    else if (to.extension() == ".csv")
         export_csv(log, to, where);
+    else if (to.extension() == ".jsonl")
+        export_json_lines(log, to, where);
+    else if (to.extension() == ".vtp")
+        export_vtp(log, to, where);
+    else if (to.extension() == ".glb")
+        export_rays_glb(log, bodies_of(arguments), arguments.fineness, colour_by(arguments.colour), to,
+                        where);
     else if (to.extension() == ".tm25ray")
         export_tm25(log, arguments.detector, to, where);
     else
         throw InputError(to.string(), "rays are not written in this format",
-                         "give a name that ends in .csv or .tm25ray");
+                         "give a name that ends in .csv, .jsonl, .vtp, .glb or .tm25ray");
 }
 
 } // namespace
@@ -63,8 +86,9 @@ void add_export(CLI::App& app, int& status) {
     command->add_option("from", arguments->from, "An experiment file; or the folder of a run, or its rays.h5")
         ->required();
     command
-        ->add_option("--to", arguments->to,
-                     "The file to write: .glb of an experiment; .csv or .tm25ray of a log")
+        ->add_option(
+            "--to", arguments->to,
+            "The file to write: .glb of an experiment; .csv, .jsonl, .vtp, .glb or .tm25ray of a log")
         ->required();
     command
         ->add_option("--fineness", arguments->fineness,
@@ -73,6 +97,15 @@ void add_export(CLI::App& app, int& status) {
         ->capture_default_str();
     command->add_option("--detector", arguments->detector,
                         "Of .tm25ray: the detector, or the face, whose rays are written");
+    command
+        ->add_option("--layout", arguments->layout,
+                     "Of .csv: soltrace for the columns of SolTrace's ray data")
+        ->check(CLI::IsMember({"soltrace"}));
+    command->add_option("--bodies", arguments->bodies,
+                        "Of a log's .glb: the experiment whose bodies stand beside the rays");
+    command->add_option("--colour", arguments->colour, "Of a log's .glb: wavelength, power or depth")
+        ->check(CLI::IsMember({"wavelength", "power", "depth"}))
+        ->capture_default_str();
     command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
         ->take_all()
         ->allow_extra_args(false);
