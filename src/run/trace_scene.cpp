@@ -61,7 +61,6 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
     std::uint64_t const batches = (emission.rays() + rays_per_batch - 1) / rays_per_batch;
     std::uint64_t next_batch = 0, rays_done = 0;
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism, outcome.threads);
-    tbb::task_arena arena(static_cast<int>(outcome.threads));
     auto const number = [&](tbb::flow_control& control) {
         if (next_batch == batches)
             control.stop();
@@ -112,10 +111,16 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         log ? make_filter<std::shared_ptr<Chunks>, std::shared_ptr<Chunks>>(filter_mode::parallel, pack) &
                   make_filter<std::shared_ptr<Chunks>, void>(filter_mode::serial_in_order, write)
             : make_filter<std::shared_ptr<Chunks>, void>(filter_mode::parallel, [](auto const&) {});
-    arena.execute([&] {
+    auto const run = [&] {
         tbb::parallel_pipeline(std::min(4U * outcome.threads, outcome.threads + batches_waiting),
                                traced & recorded & kept);
-    });
+    };
+    // in an arena of this size already, that of runs side by side: in one of its own the thread that waits
+    // for all of them could not help the last
+    if (static_cast<unsigned>(tbb::this_task_arena::max_concurrency()) == outcome.threads)
+        run();
+    else
+        tbb::task_arena(static_cast<int>(outcome.threads)).execute(run);
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }
