@@ -73,7 +73,7 @@ constexpr Key lens_keys[] = {
     {"diameter_mm", Kind::number, Required{}, "of the rim", above_zero},
     {"conic1", Kind::number, 0.0, "conic constant of the front: −1 a paraboloid, below it a hyperboloid"},
     {"conic2", Kind::number, 0.0, "conic constant of the back"},
-    {"aspheric1", Kind::numbers, {}, "of the front: coefficients of r⁴ in mm⁻³, r⁶ in mm⁻⁵, …"},
+    {"aspheric1", Kind::numbers, {}, "of the front: coefficients of r⁴ in mm⁻³, r⁶ in mm⁻⁵, …; at most 15"},
     {"aspheric2", Kind::numbers, {}, "the same of the back"},
 };
 constexpr Key prism_keys[] = {

@@ -72,6 +72,10 @@ TEST_CASE("trace writes a run, explain and export read its log") {
     CHECK(shell.run("export ball.toml --to ball.csv") == 3);
     CHECK(shell.run("export ball.toml --to ball.glb --fineness 5") == 2);
     CHECK(shell.run("export out/ball --to paths.csv --set trace.seed=2") == 3);
+    for (char const* more : {"rays.vtp", "rays.jsonl", "rays.glb --bodies ball.toml --colour power",
+                             "rays.tm25ray --detector screen", "rays.csv --layout soltrace"})
+        CHECK(shell.run(std::string("export out/ball --to ") + more) == 0);
+    CHECK(shell.run("export out/ball --to rays.glb --colour blue") == 2);
 }
 
 TEST_CASE("the summary goes to standard output as JSON, and nothing else does") {
