@@ -18,7 +18,7 @@ struct TraceArguments {
     std::string experiment, out, seed, tolerance, method, log;
     std::vector<std::string> set;
     unsigned threads = 0;
-    bool json = false, quiet = false;
+    bool json = false, quiet = false, resume = false;
 };
 
 /// --seed, --tolerance, --method and --log are --set under shorter names.
@@ -73,6 +73,7 @@ int run_trace(TraceArguments const& arguments) {
     options.out = arguments.out.empty() ? std::filesystem::path("out") / source.file.stem()
                                         : std::filesystem::path(arguments.out);
     options.threads = arguments.threads;
+    options.resume = arguments.resume;
     if (!arguments.log.empty() && arguments.log != "none")
         options.log_file = arguments.log;
     RunResult result;
@@ -123,6 +124,8 @@ void add_trace(CLI::App& app, int& status) {
     command->add_option("--method", arguments->method, "How meshes are met: auto, facet, interpolated")
         ->check(CLI::IsMember({"auto", "facet", "interpolated", "quadratic", "fitted", "recognised"}));
     command->add_option("--log", arguments->log, "none, or a file for the log of the rays");
+    command->add_flag("--resume", arguments->resume,
+                      "Go on where a run of this experiment that has a log was stopped");
     command->add_flag("--json", arguments->json, "The summary on standard output");
     command->add_flag("--quiet", arguments->quiet, "Say nothing but errors");
     command->callback([arguments, &status] { status = run_trace(*arguments); });

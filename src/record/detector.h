@@ -19,6 +19,10 @@ struct Moments {
     std::array<ExactSum, 3> power_direction;
 
     void add(DetectorHit const& hit, SumUnit unit);
+    template <class Archive>
+    void archive(Archive& all) {
+        all(hits, power, power_x, power_y, power_r2, power_path, power_direction);
+    }
 };
 
 /// What a person reads off them; nothing where no light came.
@@ -45,6 +49,10 @@ class DirectionBins {
     /// The same in W/sr.
     std::vector<double> intensities() const;
     double beyond() const { return beyond_.value(unit_); } // W
+    template <class Archive>
+    void archive(Archive& all) {
+        all(bins_, beyond_);
+    }
 
   private:
     FarField far_;
@@ -79,6 +87,10 @@ class Chance {
     void add(TwiceSums const& sums);
     /// W; 0 where no ray was followed twice, √Σ Y² where none of those that were brought any light.
     double sigma() const;
+    template <class Archive>
+    void archive(Archive& all) {
+        all(ray_, ray_power_, squares_, followed_twice_, twice_);
+    }
 
   private:
     SumUnit power_unit_;
@@ -114,6 +126,13 @@ class DetectorRecord {
     std::optional<DirectionBins> const& far_field() const { return far_field_; }
     /// Where spec().path_bins: from the shortest to the longest optical path. Without light it has no bins.
     Histogram optical_paths() const;
+    /// What it has counted so far; what it is, `spec`, stays.
+    template <class Archive>
+    void archive(Archive& all) {
+        all(all_, by_wavelength_, by_source_, pixels_, spots_, paths_, chance_);
+        if (far_field_) // both ways: the spec says so
+            all(*far_field_);
+    }
 
   private:
     void add_to_pixel(DetectorHit const& hit);

@@ -17,14 +17,23 @@ void LogBlock::take(std::span<Segment const> segments) {
     }
 }
 
+std::uint64_t LogBlock::rows() const {
+    std::uint64_t sum = 0;
+    for (LogRows const& piece : pieces_)
+        sum += piece.size();
+    return sum;
+}
+
 std::vector<LogChunk> LogChunker::add(LogBlock block) {
     std::vector<LogChunk> full;
     for (LogRows& piece : block.release()) {
-        if (filling_.size() == 0 && piece.room() == 0) { // a chunk as it is
+        std::size_t const passed = std::min<std::uint64_t>(passed_over_, piece.size());
+        passed_over_ -= passed;
+        if (passed == 0 && filling_.size() == 0 && piece.room() == 0) { // a chunk as it is
             full.push_back({std::move(piece), {}});
             continue;
         }
-        for (std::size_t done = 0; done < piece.size();) {
+        for (std::size_t done = passed; done < piece.size();) {
             std::size_t const count = std::min(piece.size() - done, filling_.room());
             filling_.append(piece, done, count);
             done += count;

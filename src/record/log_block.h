@@ -15,6 +15,7 @@ class LogBlock final : public SegmentSink {
     void take(std::span<Segment const> segments) override;
     std::vector<LogRows> const& pieces() const { return pieces_; }
     std::vector<LogRows> release() { return std::move(pieces_); }
+    std::uint64_t rows() const;
 
   private:
     std::shared_ptr<LogMemory> memory_;
@@ -32,6 +33,8 @@ struct LogChunk {
 class LogChunker {
   public:
     explicit LogChunker(std::shared_ptr<LogMemory> memory) : memory_(std::move(memory)), filling_(memory_) {}
+    /// The next so many rows are passed over: they stand in the log already.
+    void pass_over(std::uint64_t rows) { passed_over_ = rows; }
     /// The chunks that become full.
     std::vector<LogChunk> add(LogBlock block);
     /// What has been left over so far, if anything, the rows that are missing in it zero.
@@ -40,6 +43,7 @@ class LogChunker {
   private:
     std::shared_ptr<LogMemory> memory_;
     LogRows filling_;
+    std::uint64_t passed_over_ = 0;
 };
 
 /// Compresses each column's chunk: bytes shuffled (all first bytes, all second ones, …), then deflated in

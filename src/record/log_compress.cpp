@@ -1,5 +1,6 @@
-// In: a chunk of every column. Out: the same, shuffled and deflated; see log_block.h. The only file that
-// includes <libdeflate.h>.
+// In: a chunk of every column. Out: the same, shuffled and deflated; see log_block.h. And bytes' checksum.
+// The only file that includes <libdeflate.h>.
+#include "record/crc32.h"
 #include "record/log_block.h"
 
 #include <libdeflate.h>
@@ -21,6 +22,10 @@ void shuffle(std::span<std::byte const> values, std::size_t width, std::byte* ou
 }
 
 } // namespace
+
+std::uint32_t crc32_after(std::uint32_t crc, std::span<std::byte const> bytes) {
+    return libdeflate_crc32(crc, bytes.data(), bytes.size());
+}
 
 void compress(LogChunk& chunk) {
     std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> const compressor(

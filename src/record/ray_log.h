@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,13 +48,18 @@ constexpr std::uint64_t whole_chunks(std::uint64_t rows) {
     return (rows + chunk_rows - 1) / chunk_rows * chunk_rows;
 }
 
+/// Whether a log of the same run that was stopped goes on.
+enum class LogStart { anew, where_it_was_stopped };
+
 /// Writes rays.h5 under a temporary name beside `file`; close() syncs and renames it. A log longer than
 /// shard_rows becomes a folder of shards beside `file`, each closed, synced and renamed as soon as it is
-/// full, and `file` shows them as one. Destroyed unclosed, it removes what it wrote. The same rows give the
-/// same bytes, in whatever portions they come.
+/// full, and `file` shows them as one; a manifest beside them lists them with checksums. Destroyed unclosed,
+/// it removes what it wrote. The same rows give the same bytes, in whatever portions they come, stopped and
+/// gone on with or not.
 class RayLogWriter {
   public:
-    RayLogWriter(std::filesystem::path file, LogHeader const& header, RayLogOptions const& options = {});
+    RayLogWriter(std::filesystem::path file, LogHeader const& header, RayLogOptions const& options = {},
+                 LogStart start = LogStart::anew);
     RayLogWriter(RayLogWriter&&) noexcept;
     ~RayLogWriter();
 
@@ -64,6 +70,17 @@ class RayLogWriter {
     std::vector<LogChunk> place(LogBlock block);
     void pack(std::vector<LogChunk>& chunks) const;
     void write(std::vector<LogChunk> chunks);
+    /// Where a stopped log goes on: what was given to `remember`, and the rows that were placed before; none
+    /// where it begins at its first row. The rows that follow those are to be placed again.
+    struct Resumed {
+        std::string state;
+        std::uint64_t rows = 0;
+    };
+    std::optional<Resumed> const& resumed() const;
+    /// Whether a shard gets full by so many rows more: then, before they are placed, is the moment to
+    /// remember what is known of all rows so far.
+    bool fills_shard(std::uint64_t rows) const;
+    void remember(std::string state);
     /// All four at once.
     void append(std::span<Segment const> segments);
 

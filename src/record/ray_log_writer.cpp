@@ -2,11 +2,14 @@
 // A shard is closed by the thread that writes; another one brings it to the disk meanwhile.
 #include "record/disk.h"
 #include "record/log_file.h"
+#include "record/log_manifest.h"
 #include "record/ray_log.h"
 
 #include <cassert>
 #include <cstdio>
+#include <deque>
 #include <future>
+#include <mutex>
 
 namespace sahl {
 
@@ -31,23 +34,49 @@ struct RayLogWriter::State {
     LogChunker chunker{memory};
     std::optional<LogFile> open;
     std::vector<LogShard> closed;
-    std::future<void> syncing; // the last of the closed
+    std::future<void> syncing; // the last of the closed; it alone touches `manifest` until it is done
+    LogManifest manifest;
+    std::optional<Resumed> resumed;
+    std::uint64_t placed = 0; // rows
+    std::mutex mutex;         // of those remembered: one thread places rows, another closes shards
+    std::deque<LogCheckpoint> remembered;
     bool finished = false;
 
-    State(fs::path const& file, LogHeader const& given, RayLogOptions const& chosen)
+    State(fs::path const& file, LogHeader const& given, RayLogOptions const& chosen, LogStart start)
         : target(file), temporary(with_ending(file, ".tmp")),
           shards(fs::path(file).replace_extension(".shards")),
           unfinished_shards(with_ending(shards, ".tmp")), must{file.string(), remedy_of_writing},
           header(given), options(chosen) {
         assert(options.shard_rows > 0 && options.shard_rows % chunk_rows == 0);
-        open.emplace(must, temporary, header, options, 0);
+        manifest.shard_rows = options.shard_rows;
+        if (start == LogStart::where_it_was_stopped)
+            go_on();
+        if (closed.empty())
+            open.emplace(must, temporary, header, options, 0);
+        else
+            open_shard();
     }
     State(State const&) = delete;
     ~State();
+    void go_on();
     std::string next_shard() const; // its name
+    void open_shard();
     void write(LogChunk const& chunk);
     void close_shard();
 };
+
+/// Takes up the shards that a stopped log left whole.
+void RayLogWriter::State::go_on() {
+    auto found = read_manifest(unfinished_shards, header, options.shard_rows);
+    if (!found)
+        return;
+    manifest.shards = std::move(found->shards);
+    for (ListedShard const& shard : manifest.shards)
+        closed.push_back({(shards.filename() / shard.name).string(), shard.rows, shard.first_ray});
+    placed = found->checkpoint->rows;
+    chunker.pass_over(closed.size() * options.shard_rows - placed);
+    resumed = Resumed{std::move(found->checkpoint->state), placed};
+}
 
 std::string RayLogWriter::State::next_shard() const {
     char name[24];
@@ -70,10 +99,14 @@ RayLogWriter::State::~State() {
 void RayLogWriter::State::write(LogChunk const& chunk) {
     if (open->rows() == options.shard_rows) {
         close_shard();
-        open.emplace(must, with_ending(unfinished_shards / next_shard(), ".tmp"), header, options,
-                     closed.size() * options.shard_rows);
+        open_shard();
     }
     open->write(chunk);
+}
+
+void RayLogWriter::State::open_shard() {
+    open.emplace(must, with_ending(unfinished_shards / next_shard(), ".tmp"), header, options,
+                 closed.size() * options.shard_rows);
 }
 
 /// Closes the open file, which becomes the next shard as soon as it is on the disk.
@@ -85,19 +118,32 @@ void RayLogWriter::State::close_shard() {
         fs::create_directory(unfinished_shards, problem);
         if (problem)
             must.fail("cannot make the folder of its shards (" + problem.message() + ")");
-    } else {
+    } else if (syncing.valid()) {
         syncing.get();
     }
-    fs::path const name = next_shard();
-    closed.push_back({(shards.filename() / name).string(), open->rows(), open->first_ray()});
-    syncing = std::async(std::launch::async, [from = open->path(), to = unfinished_shards / name] {
+    ListedShard listed{next_shard(), open->rows(), open->first_ray(), 0, 0};
+    closed.push_back({(shards.filename() / listed.name).string(), listed.rows, listed.first_ray});
+    {
+        std::lock_guard const lock(mutex); // the last that all rows of are in closed shards, or begin in them
+        while (!remembered.empty() && remembered.front().rows <= closed.size() * options.shard_rows) {
+            manifest.checkpoint = std::move(remembered.front());
+            remembered.pop_front();
+        }
+    }
+    syncing = std::async(std::launch::async, [this, listed, from = open->path()]() mutable {
+        fs::path const to = unfinished_shards / listed.name;
         sync_to_disk(from, remedy_of_writing);
+        listed.bytes = fs::file_size(from);
+        listed.crc32 = crc32_of(from);
         move_on_disk(from, to, remedy_of_writing);
+        manifest.shards.push_back(listed);
+        write_manifest(unfinished_shards, header, manifest, remedy_of_writing);
     });
 }
 
-RayLogWriter::RayLogWriter(fs::path file, LogHeader const& header, RayLogOptions const& options)
-    : state_(std::make_unique<State>(file, header, options)) {}
+RayLogWriter::RayLogWriter(fs::path file, LogHeader const& header, RayLogOptions const& options,
+                           LogStart start)
+    : state_(std::make_unique<State>(file, header, options, start)) {}
 
 RayLogWriter::RayLogWriter(RayLogWriter&&) noexcept = default;
 RayLogWriter::~RayLogWriter() = default;
@@ -106,7 +152,22 @@ LogBlock RayLogWriter::block() const {
     return LogBlock(state_->memory);
 }
 
+std::optional<RayLogWriter::Resumed> const& RayLogWriter::resumed() const {
+    return state_->resumed;
+}
+
+bool RayLogWriter::fills_shard(std::uint64_t rows) const {
+    std::uint64_t const shard = state_->options.shard_rows;
+    return state_->placed / shard != (state_->placed + rows) / shard;
+}
+
+void RayLogWriter::remember(std::string state) {
+    std::lock_guard const lock(state_->mutex);
+    state_->remembered.push_back({state_->placed, std::move(state)});
+}
+
 std::vector<LogChunk> RayLogWriter::place(LogBlock block) {
+    state_->placed += block.rows();
     return state_->chunker.add(std::move(block));
 }
 
@@ -142,8 +203,14 @@ void RayLogWriter::close() {
     if (log.closed.empty()) {
         log.open->close();
     } else {
-        log.close_shard();
-        log.syncing.get();
+        if (log.open->rows() > 0) // none where it was stopped after its last row
+            log.close_shard();
+        log.open.reset();
+        if (log.syncing.valid())
+            log.syncing.get();
+        log.manifest.complete = true;
+        log.manifest.checkpoint.reset();
+        write_manifest(log.unfinished_shards, log.header, log.manifest, remedy_of_writing);
         write_log_of_shards(log.must, log.temporary, log.header, log.closed);
         move_on_disk(log.unfinished_shards, log.shards, remedy_of_writing);
     }

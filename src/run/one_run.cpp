@@ -88,7 +88,8 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     if (options.log_file || (experiment.log.on && writes))
         log.emplace(options.log_file.value_or(folder / "rays.h5"),
                     log_header(source, experiment, run.scene, optics, emission, facts),
-                    RayLogOptions{experiment.log.compress, whole_chunks(experiment.log.shard_rows)});
+                    RayLogOptions{experiment.log.compress, whole_chunks(experiment.log.shard_rows)},
+                    options.resume ? LogStart::where_it_was_stopped : LogStart::anew);
     TraceOutcome const outcome = trace_scene(run.scene, optics, emission, experiment.trace, options.threads,
                                              log ? &*log : nullptr, experiment.log, options.progress);
     if (log)

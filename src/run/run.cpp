@@ -43,8 +43,12 @@ RunResult run_experiment(ExperimentSource const& source, RunOptions const& optio
         read_experiment(source.tree, source.file); // all errors of input, before a file is made
     bool const sweeps = !experiment.sweep.empty();
     std::optional<RunFolder> folder;
-    if (!options.out.empty())
-        folder.emplace(options.out, sweeps ? sweep_identity(source) : std::string());
+    bool const logs = options.log_file || experiment.log.on;
+    if (!options.out.empty() && sweeps)
+        folder.emplace(options.out, sweep_identity(source));
+    else if (!options.out.empty())
+        folder.emplace(options.out, logs && !experiment.goal ? sweep_identity(source) : std::string(),
+                       options.resume ? Unfinished::same_goes_on : Unfinished::removed);
     fs::path const work = folder ? folder->path() : fs::path();
     RunResult result;
     if (sweeps) {

@@ -29,8 +29,10 @@ struct RunOptions {
     std::filesystem::path out; // empty: nothing is written
     unsigned threads = 0;      // 0: all there are
     std::optional<std::filesystem::path>
-        log_file;      // instead of rays.h5 in the folder; its presence turns the log on
-    Progress progress; // of each run
+        log_file;        // instead of rays.h5 in the folder; its presence turns the log on
+    bool resume = false; // a run of the same experiment that was stopped goes on, if it has a log; or from
+                         // its first ray
+    Progress progress;   // of each run
     std::function<void(std::size_t step, std::size_t steps)> sweep_progress;
     ModelCache* models = nullptr; // those of earlier runs; none: each run reads its own
 };

@@ -49,10 +49,10 @@ std::string text_in(fs::path const& file) {
 } // namespace
 
 /// Whether the partial folder is ours now; `work_` is its name.
-bool RunFolder::claim_partial(std::string const& identity) {
+bool RunFolder::claim_partial(std::string const& identity, Unfinished unfinished) {
     fs::path const file = work_ / identity_file;
     if (fs::exists(work_) && !fs::exists(file) && !fs::is_empty(work_))
-        throw InputError(work_.string(), "stands where an unfinished sweep would be kept, and is none",
+        throw InputError(work_.string(), "stands where an unfinished run would be kept, and is none",
                          "move it away, or give another --out");
     fs::create_directories(work_);
     lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -62,7 +62,15 @@ bool RunFolder::claim_partial(std::string const& identity) {
     }
     if (lock_ < 0)
         return false;
-    if (text_in(file) != identity) {
+    std::string const found = text_in(file);
+    if (found != identity || unfinished == Unfinished::removed) {
+        if (!found.empty() && unfinished == Unfinished::same_goes_on) {
+            ::close(lock_);
+            lock_ = -1;
+            throw InputError(work_.string(),
+                             "is of another experiment, other options, or a model that has changed since",
+                             "trace without --resume to begin anew, which removes it, or give another --out");
+        }
         remove_contents(work_, identity_file);
         std::ofstream out(file, std::ios::binary); // the same inode: the lock stays
         out << identity;
@@ -72,7 +80,8 @@ bool RunFolder::claim_partial(std::string const& identity) {
     return true;
 }
 
-RunFolder::RunFolder(fs::path wanted, std::string const& identity) : wanted_(std::move(wanted)) {
+RunFolder::RunFolder(fs::path wanted, std::string const& identity, Unfinished unfinished)
+    : wanted_(std::move(wanted)) {
     std::error_code error;
     wanted_ = fs::absolute(wanted_).lexically_normal();
     if (!wanted_.has_filename())
@@ -84,7 +93,7 @@ RunFolder::RunFolder(fs::path wanted, std::string const& identity) : wanted_(std
                          "give an --out that is new, empty, or an earlier run");
     work_ = wanted_;
     work_ += ".partial";
-    if (!identity.empty() && claim_partial(identity))
+    if (!identity.empty() && claim_partial(identity, unfinished))
         return;
     work_ = wanted_;
     work_ += ".unfinished-" + std::to_string(::getpid());
@@ -104,15 +113,16 @@ RunFolder::~RunFolder() {
 }
 
 void RunFolder::publish() {
-    fs::remove(work_ / identity_file);
     fs::path const old = work_.string() + ".old";
     if (fs::exists(wanted_)) {
+        fs::remove_all(old);
         for (fs::directory_entry const& entry : fs::directory_iterator(wanted_))
-            if (!is_written(entry.path().filename()))
+            if (!is_written(entry.path().filename()) && entry.path().filename() != identity_file)
                 fs::rename(entry.path(), work_ / entry.path().filename());
         fs::rename(wanted_, old);
     }
     fs::rename(work_, wanted_);
+    fs::remove(wanted_ / identity_file); // last: without it an unfinished folder would be nobody's
     published_ = true;
     fs::remove_all(old);
 }

@@ -7,6 +7,13 @@
 
 namespace sahl {
 
+/// What becomes of an unfinished run that stands beside the folder.
+enum class Unfinished {
+    taken_up,     // if it is of the same identity; else it is removed
+    same_goes_on, // the same, but one of another identity is an error
+    removed,
+};
+
 /// While it lives, results go to a folder beside the wanted one; publish() puts that in its place. Not
 /// published, it leaves everything as it was, but for complete runs of a sweep. What an earlier run left
 /// there is replaced; files that no run writes are kept.
@@ -16,7 +23,8 @@ class RunFolder {
     /// identity   not empty: what is not finished stays in the folder `wanted`.partial, and the next start
     ///            with the same identity finds it there; one with another identity begins anew. Where
     ///            another process is at work in it, this one has a folder of its own, and finds nothing.
-    explicit RunFolder(std::filesystem::path wanted, std::string const& identity = {});
+    explicit RunFolder(std::filesystem::path wanted, std::string const& identity = {},
+                       Unfinished unfinished = Unfinished::taken_up);
     ~RunFolder();
     RunFolder(RunFolder const&) = delete;
     RunFolder& operator=(RunFolder const&) = delete;
@@ -25,7 +33,7 @@ class RunFolder {
     void publish();
 
   private:
-    bool claim_partial(std::string const& identity);
+    bool claim_partial(std::string const& identity, Unfinished unfinished);
 
     std::filesystem::path wanted_, work_;
     bool published_ = false;

@@ -1,5 +1,6 @@
 #include "run/trace_scene.h"
 
+#include "math/archive.h"
 #include "run/follow_again.h"
 
 #include <oneapi/tbb/global_control.h>
@@ -60,9 +61,19 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
 
     std::uint64_t const batches = (emission.rays() + rays_per_batch - 1) / rays_per_batch;
     std::uint64_t next_batch = 0, rays_done = 0;
+    auto const known_so_far = [&](auto& archive) { // of the rays that are done
+        archive(rays_done, outcome.tally, outcome.lost, holes_sought, outcome.holes);
+        for (DetectorRecord& detector : outcome.detectors)
+            archive(detector);
+    };
+    if (log && log->resumed()) {
+        ArchiveReader archive(log->resumed()->state);
+        known_so_far(archive);
+        next_batch = rays_done / rays_per_batch; // a stop lies between two of them
+    }
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism, outcome.threads);
     auto const number = [&](tbb::flow_control& control) {
-        if (next_batch == batches)
+        if (next_batch >= batches)
             control.stop();
         return next_batch++;
     };
@@ -78,6 +89,11 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         return std::make_shared<Traced>(std::move(traced));
     };
     auto const record = [&](std::shared_ptr<Traced> const& traced) { // in the order of batches
+        if (log && log->fills_shard(traced->rows->rows())) {
+            ArchiveWriter archive;
+            known_so_far(archive);
+            log->remember(archive.bytes());
+        }
         outcome.tally.add(traced->result->tally);
         for (DetectorHit const& hit : traced->result->hits)
             outcome.detectors[hit.detector.value].add(hit);

@@ -27,7 +27,9 @@ using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
 /// Throws InputError where a path filter of the scene or the log is wrong.
 /// The same result, bit for bit, for any number of threads (0: all there are).
-///   log      where segments go, or nullptr
+///   log      where segments go, or nullptr; one that goes on where it was stopped brings what was known
+///   then,
+///            and only the rays after that are traced
 ///   logged   which of them do
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
                          TraceOptions const& options, unsigned threads, RayLogWriter* log,

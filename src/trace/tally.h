@@ -26,6 +26,11 @@ struct Tally {
         : unit(power_unit), absorbed_in_body(bodies + 1), absorbed_at_face(faces),
           escaped_by_wavelength(wavelengths) {}
 
+    template <class Archive>
+    void archive(Archive& all) {
+        all(emitted, detected, absorbed, escaped, cut, error, absorbed_in_body, absorbed_at_face,
+            escaped_by_wavelength, ended, recovered);
+    }
     std::uint64_t segments() const {
         std::uint64_t sum = 0;
         for (std::uint64_t count : ended)
