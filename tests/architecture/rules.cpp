@@ -35,7 +35,7 @@ struct Library {
     std::string_view door; // empty: any file
 };
 
-std::array<Library, 14> const libraries{{{"GLM", {"glm/"}, "math/vec.h"},
+std::array<Library, 15> const libraries{{{"GLM", {"glm/"}, "math/vec.h"},
                                          {"OpenImageIO", {"OpenImageIO/"}, "image/image.cpp"},
                                          {"OpenMesh", {"OpenMesh/"}, "geometry/mesh"},
                                          {"Embree", {"embree3/", "embree4/"}, "geometry/embree/"},
@@ -48,6 +48,7 @@ std::array<Library, 14> const libraries{{{"GLM", {"glm/"}, "math/vec.h"},
                                          {"TBB", {"tbb/", "oneapi/"}, "run/"},
                                          {"OpenSSL", {"openssl/"}, "run/sha256.cpp"},
                                          {"CLI11", {"CLI/"}, "cli/"},
+                                         {"pybind11", {"pybind11/"}, "python/module.cpp"},
                                          {"POSIX", {"unistd.h", "fcntl.h", "sys/"}, ""}}};
 
 Room const* room_called(std::string_view name) {
