@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -50,20 +51,24 @@ std::string explained(RayLogReader const& reader, std::optional<std::uint64_t> r
             throw InputError(file, "has no ray " + std::to_string(*ray),
                              reader.rays() == 0 ? "the log is empty"
                                                 : "its last is ray " + std::to_string(reader.rays() - 1));
-        if (filter)
-            rows = selected_rows(rows, *filter);
     } else {
         read_rays(reader, filter ? &*filter : nullptr, [&](std::span<Segment const> found) {
-            rows.assign(found.begin(), found.end());
+            rows = reader.read_ray(found.front().ray);
             return false;
         });
     }
-    if (rows.empty())
+    std::vector<char> drawn(rows.size(), 1);
+    if (filter && !rows.empty()) {
+        SelectedPaths paths(*filter);
+        paths.take(rows);
+        drawn = paths.kept();
+    }
+    if (std::count(drawn.begin(), drawn.end(), char{1}) == 0)
         throw InputError(file,
                          (ray ? "ray " + std::to_string(*ray) + " has" : std::string("has")) +
                              " no path that is selected",
                          "give another --where");
-    return explain_ray(reader.header(), rows);
+    return explain_ray(reader.header(), rows, filter ? &drawn : nullptr);
 }
 
 } // namespace

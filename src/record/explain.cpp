@@ -4,6 +4,7 @@
 #include "record/log_columns.h"
 #include "record/ray_tree.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -198,7 +199,8 @@ std::string heading(RayTree const& tree) {
 
 } // namespace
 
-std::string explain_ray(LogHeader const& header, std::vector<Segment> const& rows) {
+std::string explain_ray(LogHeader const& header, std::vector<Segment> const& rows,
+                        std::vector<char> const* drawn) {
     if (rows.empty())
         return "";
     RayTree const tree = grow_tree(header, rows);
@@ -208,13 +210,19 @@ std::string explain_ray(LogHeader const& header, std::vector<Segment> const& row
     };
     std::vector<Entry> todo; // the next one last; no recursion, a light guide may be 10⁴ deep
     for (std::size_t row = rows.size(); row-- > 0;)
-        if (!tree.parents[row])
+        if (!tree.parents[row] && (!drawn || (*drawn)[row]))
             todo.push_back({row, "", ""});
     std::string text = heading(tree);
+    if (drawn)
+        text.insert(text.size() - 1, ", of which " +
+                                         std::to_string(std::count(drawn->begin(), drawn->end(), char{1})) +
+                                         " are on selected paths");
     while (!todo.empty()) {
         Entry const entry = std::move(todo.back());
         todo.pop_back();
-        auto const& children = tree.children[entry.row];
+        std::vector<std::size_t> children = tree.children[entry.row];
+        if (drawn)
+            std::erase_if(children, [&](std::size_t child) { return !(*drawn)[child]; });
         std::string const margin = entry.rest + (children.empty() ? "   " : "│  ");
         text += entry.first + title_of(tree, entry.row) + "\n";
         text += margin + power_of(tree, entry.row) + "\n";

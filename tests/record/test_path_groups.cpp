@@ -1,4 +1,5 @@
 // Groups of paths against a slow count of paths written out, and bounded memory against plenty.
+#include "record/explain.h"
 #include "record/path_groups.h"
 #include "record/read_rays.h"
 #include "run/paths_report.h"
@@ -157,4 +158,32 @@ TEST_CASE("groups as text and as JSON say the same", "[run][paths]") {
         CHECK(text.find("  " + std::get<std::string>(group.find("filter")->data) + "\n") !=
               std::string::npos);
     CHECK(text.find("  other\n") != std::string::npos);
+}
+
+TEST_CASE("a ray drawn along its selected paths keeps what its other branches tell", "[record][filter]") {
+    RayLogReader const log = logged().log();
+    auto const filter =
+        log_filter(log.header(), "path(2 refracted(lens), passed(window), any, any, any, any)", "test");
+    std::vector<Segment> rows;
+    read_rays(log, &*filter, [&](std::span<Segment const> found) {
+        rows = log.read_ray(found.front().ray);
+        return false;
+    });
+    REQUIRE(!rows.empty());
+    SelectedPaths paths(*filter);
+    paths.take(rows);
+    auto const kept = paths.kept();
+    std::string const whole = explain_ray(log.header(), rows), some = explain_ray(log.header(), rows, &kept);
+    auto const drawn = [](std::string const& text, Segment const& s) {
+        return text.find("#" + std::to_string(s.index) + " ") != std::string::npos;
+    };
+    std::size_t left_out = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        CHECK(drawn(whole, rows[i]));
+        CHECK(drawn(some, rows[i]) == (kept[i] != 0));
+        left_out += !kept[i];
+    }
+    CHECK(left_out > 0);
+    CHECK(some.find("T ") <
+          some.find(", R ")); // the reflected branch of the first face is not drawn, and told of
 }
