@@ -370,7 +370,25 @@ class RevolvedSheet::Line {
         return t;
     }
 
+    /// Between two crossings the height may be no more than its own rounding, which a sum of large terms has:
+    /// there is no crossing then. A start on the surface is one for certain.
+    bool is_rounding(double from, double to) const {
+        if (to - from > 1e-5 * (to_ - from_) || (on_ && from == 0.0))
+            return false;
+        double const t = 0.5 * (from + to);
+        dvec3 const p = o_ + t * d_;
+        double const s = p.x * p.x + p.y * p.y;
+        double size = std::abs(p.z), power = s;
+        for (double const term : terms_)
+            size += std::abs(term) * (power *= s);
+        return std::abs(height(t)) <= 4e-15 * size; // some twenty roundings
+    }
+
     void add(double t, bool rises) {
+        if (!roots_.empty() && is_rounding(roots_.back().t, t)) {
+            roots_.erase(roots_.end() - 1);
+            return;
+        }
         if (roots_.full())
             return;
         double const along = std::abs(dot(sheet_.normal(o_ + t * d_), d_));

@@ -91,6 +91,28 @@ TEST_CASE("a conic is met in closed form from places on it, and at grazing angle
     }
 }
 
+TEST_CASE("where a sum of large terms rounds, a line crosses a surface no more often than it does",
+          "[geometry]") {
+    // as below, evenly spread: coefficients of 1e5 that leave heights of 1e-7
+    constexpr int ripples = 13;
+    std::vector<double> terms{3e3};
+    for (int j = 1; j <= ripples; ++j) {
+        double const root = j / 14.0;
+        terms.push_back(0.0);
+        for (std::size_t i = terms.size() - 1; i > 0; --i)
+            terms[i] = terms[i - 1] - root * terms[i];
+        terms[0] *= -root;
+    }
+    RevolvedSheet const sheet({0.0, 0.0, terms}, 1.0);
+    auto const roots = sheet.roots({-2.0, 0.2, 0.0}, {1.0, 0.0, 0.0}, 1e-14, false);
+    REQUIRE(roots.size() == 2 * ripples);
+    for (auto const& root : roots) {
+        double const s = (root.t - 2.0) * (root.t - 2.0) + 0.04;
+        CHECK(s * 14.0 ==
+              Approx(std::round(s * 14.0)).margin(1e-2)); // what rounding leaves of the shallowest
+    }
+}
+
 TEST_CASE("a surface of as many ripples as its terms allow is crossed at each of them", "[geometry]") {
     // A s² (s − s₁) … (s − s₉) over s = r², multiplied out; denser towards both ends, where it stays small
     constexpr int ripples = 9;
