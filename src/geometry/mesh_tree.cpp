@@ -1,9 +1,9 @@
 #include "geometry/mesh_tree.h"
 
+#include "geometry/mesh_query.h"
 #include "geometry/mesh_stations.h"
 #include "geometry/sheared_line.h"
 #include "geometry/triangle.h"
-#include "math/inline_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,10 +45,6 @@ std::vector<Bounds> bounds_of(std::vector<TriangleCorners> const& triangles) {
 /// rad and lies within the rounding of the start along its normal.
 constexpr double far_behind = 1e6;
 
-/// A line that passes an edge within so many roundings may meet both its triangles at one place, though
-/// Embree does not propose the one that it meets at a slope of down to their inverse.
-constexpr double edge_roundings = 1e5;
-
 /// The first place from the start on where a ray leaves or enters a shell. Where that does not fit what the
 /// ray is in, t tells where, and the crossing is one of that place that would fit.
 MeshAnswer change_of(std::vector<Station> const& stations, bool inside, double from, double rounding) {
@@ -64,12 +60,6 @@ MeshAnswer change_of(std::vector<Station> const& stations, bool inside, double f
             return {crossing, INFINITY};
     }
     return {std::nullopt, inside ? from : INFINITY}; // a closed shell is left somewhere
-}
-
-/// t of the nearest corner.
-double nearest_corner(dvec3 const& origin, dvec3 const& direction, TriangleCorners const& corners) {
-    auto const t_of = [&](dvec3 const& p) { return dot(direction, p - origin); };
-    return std::min({t_of(corners[0]), t_of(corners[1]), t_of(corners[2])}) / dot(direction, direction);
 }
 
 } // namespace
@@ -144,101 +134,16 @@ std::vector<MeshCrossing> MeshTree::all(ShearedLine const& line, double from, do
     return crossings;
 }
 
-inline std::optional<MeshCrossing> MeshTree::meet_plainly(dvec3 const& origin, dvec3 const& direction,
-                                                          double unit, std::uint32_t triangle,
-                                                          double border) const {
-    // T. Möller, B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, J. Graphics Tools 2 (1997) 21
-    auto const [a, b, c] = corners(triangle);
-    dvec3 const ab = b - a, ac = c - a, to_a = a - origin;
-    dvec3 const normal = precise_cross(ab, ac), moment = cross(to_a, direction);
-    double const along = dot(normal, direction), sense = along < 0.0 ? -1.0 : 1.0;
-    double const v = sense * dot(moment, ac), w = -sense * dot(moment, ab), u = sense * along - v - w;
-    auto const within = [&, squared = border * border * unit * unit](double area, dvec3 const& edge) {
-        return area > 0.0 && area * area > squared * dot(edge, edge);
-    };
-    if (!(within(u, c - b) && within(v, ac) && within(w, ab)))
-        return std::nullopt;
-    MeshCrossing crossing;
-    double const by_length = 1.0 / length(normal);
-    crossing.t = dot(normal, to_a) / along;
-    crossing.slope = std::abs(along) * by_length;
-    crossing.range = INFINITY;
-    crossing.well_within = true;
-    bool const turned = mesh_->shells[mesh_->shell_of(triangle)].sign < 0;
-    crossing.uv = sense / along * (turned ? dvec2(w, v) : dvec2(v, w));
-    crossing.triangle = triangle;
-    crossing.enters = along < 0.0;
-    crossing.normal = by_length * normal;
-    return crossing;
-}
-
 MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                           double rounding) const {
-    std::size_t const shells = mesh_->shells.size();
-    bool in_some = false;
-    for (std::uint32_t shell = 0; shell < shells; ++shell)
-        in_some = in_some || inside[shell];
-    auto const is_in = [&](std::uint32_t triangle) {
-        return shells == 1 ? in_some : inside[mesh_->triangle_shell[triangle]];
-    };
-    double const unit = length(direction), blur = triangles_.blur() / unit;
-    double unfit = INFINITY;                          // t of the nearest crossing that contradicts `inside`
-    double const end = in_some ? INFINITY : reach.to; // what the ray is in must be left somewhere
-    // what is met at a slope that float tells lies no farther beyond its t than this, with all that is at one
-    // place with it
-    double const beyond = 2.0 * blur + 4.0 / TriangleTree::sure_slope * rounding / unit;
-    InlineVector<Proposal, 16> proposals;
-    bool doubtful = false; // something but plain crossings lies at the start
-    auto const visitor = [&](Proposal const& proposal) {
-        constexpr double no = INFINITY;
-        bool const in = is_in(proposal.triangle);
-        if (proposal.sense != 0 && (proposal.sense < 0) == in) {
-            if (proposal.t > reach.from + blur) // otherwise it is the one that the ray started on
-                unfit = std::min(unfit, proposal.t - blur);
-            return no;
-        }
-        // asked for now, it is there when Embree is through: met at once, half the time was waiting for it
-        for (std::uint32_t const corner : outward_[proposal.triangle])
-            __builtin_prefetch(&mesh_->soup.positions[corner]);
-        if (proposals.full()) {
-            doubtful = true;
-            return no;
-        }
-        proposals.push_back(proposal);
-        return proposal.sense != 0 && proposal.t > reach.from + blur ? proposal.t + beyond : no;
-    };
-    triangles_.visit(origin, direction, unit, {reach.from, end}, visitor);
-
-    MeshCrossing best;
-    best.t = INFINITY;
-    double doubt = INFINITY; // t where a triangle is grazed, or its border passed closely
-    for (Proposal const& proposal : proposals) {
-        std::uint32_t const triangle = proposal.triangle;
-        if (proposal.sense == 0) {
-            doubt = std::min(doubt, nearest_corner(origin, direction, corners(triangle)));
-            continue;
-        }
-        auto const plain = meet_plainly(origin, direction, unit, triangle, edge_roundings * rounding);
-        if (!plain || plain->enters != (proposal.sense < 0)) {
-            doubt = std::min(doubt, proposal.t - blur);
-            continue;
-        }
-        double const distance = (plain->t - reach.from) * plain->slope;
-        if (distance <= rounding) // at the start, or behind it
-            doubtful = doubtful || distance >= -rounding;
-        else if (std::pair(plain->t, plain->triangle) < std::pair(best.t, best.triangle))
-            best = *plain;
-    }
-    bool const nothing = best.t == INFINITY;
-    double const first_doubt = std::min(unfit, doubt);
-    doubtful = doubtful || (nothing ? in_some || first_doubt < INFINITY
-                                    : first_doubt <= best.t + 2.0 * best.blur(rounding));
-    if (in_some && !mesh_->closed()) // through a hole another shell may be met than the one that was left
-        for (std::uint32_t shell = 0; shell < shells; ++shell)
-            doubtful = doubtful || (inside[shell] && mesh_->shell_of(best.triangle) != shell);
-    if (doubtful)
-        return next_exact(origin, direction, inside, reach, rounding);
-    return nothing ? MeshAnswer{} : MeshAnswer{best, INFINITY};
+    double const unit = length(direction);
+    MeshQuery query(*this, origin, direction, unit, inside, reach.from, rounding, triangles_.blur() / unit);
+    double const end = query.in_some() ? INFINITY : reach.to;
+    triangles_.visit(origin, direction, unit, {reach.from, end}, [&](Proposal const& proposal) {
+        return query.take(proposal.triangle, proposal.t, proposal.sense);
+    });
+    MeshAnswer answer;
+    return query.settle(INFINITY, answer) ? answer : next_exact(origin, direction, inside, reach, rounding);
 }
 
 MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,

@@ -74,6 +74,17 @@ class MeshTree {
     std::vector<bool> inside(dvec3 const& origin, dvec3 const& direction, double rounding) const;
 
     Mesh const& mesh() const { return *mesh_; }
+    /// Anticlockwise seen from outside the volume that the shell encloses.
+    std::array<dvec3, 3> corners(std::uint32_t triangle) const {
+        auto const& [a, b, c] = outward_[triangle];
+        auto const& positions = mesh_->soup.positions;
+        return {positions[a], positions[b], positions[c]};
+    }
+    /// Asks for a triangle's corners ahead of their use.
+    void prefetch(std::uint32_t triangle) const {
+        for (std::uint32_t const corner : outward_[triangle])
+            __builtin_prefetch(&mesh_->soup.positions[corner]);
+    }
     /// Unit, out of the volume that the shell encloses.
     dvec3 normal(std::uint32_t triangle) const;
     /// The point of the triangle's plane below `point`; if it lies outside the triangle, where rounding may
@@ -85,9 +96,6 @@ class MeshTree {
     }
 
   private:
-    /// Where the line passes the triangle no closer to its border than that (m); otherwise it may or may not.
-    std::optional<MeshCrossing> meet_plainly(dvec3 const& origin, dvec3 const& direction, double unit,
-                                             std::uint32_t triangle, double border) const;
     std::optional<MeshCrossing> meet(ShearedLine const& line, std::uint32_t triangle) const;
     MeshCrossing crossing_of(ShearedLine const& line, SeenTriangle const& seen, std::uint32_t triangle) const;
     std::vector<MeshCrossing> all(ShearedLine const& line, double from, double rounding) const;
@@ -100,11 +108,6 @@ class MeshTree {
     BoxTree const& boxes() const;
 
     std::shared_ptr<Mesh const> mesh_;
-    std::array<dvec3, 3> corners(std::uint32_t triangle) const {
-        auto const& [a, b, c] = outward_[triangle];
-        auto const& positions = mesh_->soup.positions;
-        return {positions[a], positions[b], positions[c]};
-    }
     std::vector<std::array<std::uint32_t, 3>>
         outward_; // corners by triangle, anticlockwise seen from outside
     TriangleTree triangles_;
