@@ -1,6 +1,7 @@
 #include "geometry/bvh.h"
 
 #include "geometry/embree/box_tree.h"
+#include "geometry/mesh_cluster.h"
 #include "geometry/mesh_store.h"
 #include "geometry/placed.h"
 #include "geometry/survey.h"
@@ -18,6 +19,8 @@ struct Bvh::State {
     std::vector<std::uint32_t> unbounded;
     std::vector<std::uint32_t> bounded; // by index in the tree
     std::optional<BoxTree> tree;        // where there are many bounded objects
+    std::optional<MeshCluster> cluster; // where there are few
+    std::uint32_t in_cluster = 0;       // a bit for each of `bounded`
     Touching touch;                     // two candidates at one place
     std::vector<MadeFlush> made_flush;
     bool lone = false; // one object, no shell of which touches another
@@ -93,6 +96,10 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
         for (std::uint32_t object : state_->bounded)
             boxes.push_back(state_->objects[object].box);
         state_->tree.emplace(boxes);
+    } else {
+        state_->cluster = MeshCluster::of(state_->objects);
+        for (std::size_t i = 0; state_->cluster && i < state_->bounded.size(); ++i)
+            state_->in_cluster |= std::uint32_t(state_->cluster->holds(state_->bounded[i])) << i;
     }
     state_->lone = state_->objects.size() == 1 && !state_->touch.objects(0, 0);
 }
@@ -154,6 +161,18 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
     double& horizon = nearest_ones.horizon;
     double contradiction = INFINITY;
 
+    auto const take = [&](Candidate const& found) {
+        nearest_ones.take(found);
+        if (found.primitive < 0 || found.open || !state.touch(found, found))
+            return;
+        // another shell of the mesh lies on this one
+        Placed const& object = state.objects[found.object];
+        Candidate second;
+        object.next(origin, direction, object.after(found, inside), {found.t, horizon}, {}, second);
+        second.object = found.object;
+        if (second.t <= found.t + found.blur + second.blur && state.touch(second, second))
+            nearest_ones.take(second);
+    };
     auto const ask = [&](std::uint32_t index) {
         Placed const& object = state.objects[index];
         std::optional<bool> above;
@@ -166,15 +185,7 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         if (found.t == INFINITY)
             return;
         found.object = index;
-        nearest_ones.take(found);
-        if (found.primitive >= 0 && !found.open &&
-            state.touch(found, found)) { // another shell of the mesh lies on this one
-            Candidate second;
-            object.next(origin, direction, object.after(found, inside), {found.t, horizon}, {}, second);
-            second.object = index;
-            if (second.t <= found.t + found.blur + second.blur && state.touch(second, second))
-                nearest_ones.take(second);
-        }
+        take(found);
     };
 
     for (std::uint32_t const index : state.unbounded)
@@ -189,9 +200,16 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         std::uint32_t asked = 0; // a bit each
         static_assert(few <= 32);
         std::size_t const count = state.bounded.size();
+        if (InlineVector<Candidate, MeshCluster::most> found;
+            state.cluster && state.cluster->next(state.objects, origin, direction, inside, from, found)) {
+            for (Candidate const& each : found)
+                take(each);
+            asked = state.in_cluster;
+        }
         if (!inside.empty() || count == 1)
             for (std::size_t i = 0; i < count; ++i)
-                if (count == 1 || inside.contains(state.objects[state.bounded[i]].geometry.first_shell)) {
+                if (!(asked >> i & 1u) &&
+                    (count == 1 || inside.contains(state.objects[state.bounded[i]].geometry.first_shell))) {
                     ask(state.bounded[i]);
                     asked |= 1u << i;
                 }

@@ -139,11 +139,15 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
     double const unit = length(direction);
     MeshQuery query(*this, origin, direction, unit, inside, reach.from, rounding, triangles_.blur() / unit);
     double const end = query.in_some() ? INFINITY : reach.to;
+    double looked_to = INFINITY;
     triangles_.visit(origin, direction, unit, {reach.from, end}, [&](Proposal const& proposal) {
-        return query.take(proposal.triangle, proposal.t, proposal.sense);
+        double const to = query.take(proposal.triangle, proposal.t, proposal.sense);
+        looked_to = std::min(looked_to, to);
+        return to;
     });
     MeshAnswer answer;
-    return query.settle(INFINITY, answer) ? answer : next_exact(origin, direction, inside, reach, rounding);
+    bool const sure = query.settle(looked_to, answer) && (answer.crossing || looked_to == INFINITY);
+    return sure ? answer : next_exact(origin, direction, inside, reach, rounding);
 }
 
 MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,

@@ -105,6 +105,20 @@ double least_blur(Placed::LocalRay const& ray) {
 
 } // namespace
 
+Candidate Placed::candidate(MeshCrossing const& c, LocalRay const& ray) const {
+    return {c.t,
+            std::max(c.blur(ray.rounding), least_blur(ray)),
+            0,
+            mesh()->face_of(c.triangle),
+            static_cast<std::int32_t>(c.triangle),
+            c.uv,
+            c.normal,
+            false,
+            c.enters,
+            c.recovered,
+            c.well_within};
+}
+
 double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
                     std::optional<bool> above, Candidate& found) const {
     LocalRay const ray = local(origin, direction);
@@ -136,19 +150,8 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
             [&](Tree const& tree) {
                 MeshAnswer const answer = tree->next(ray.origin, ray.direction,
                                                      {inside, geometry.first_shell}, reach, ray.rounding);
-                if (auto const& c = answer.crossing) {
-                    found = Candidate{c->t,
-                                      std::max(c->blur(ray.rounding), least_blur(ray)),
-                                      0,
-                                      tree->mesh().face_of(c->triangle),
-                                      static_cast<std::int32_t>(c->triangle),
-                                      c->uv,
-                                      c->normal,
-                                      false,
-                                      c->enters,
-                                      c->recovered,
-                                      c->well_within};
-                }
+                if (answer.crossing)
+                    found = candidate(*answer.crossing, ray);
                 return answer.contradiction;
             },
             [&](Curved const& curved) {

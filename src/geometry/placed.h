@@ -46,6 +46,9 @@ struct Placed {
     };
     LocalRay local(dvec3 const& origin, dvec3 const& direction) const;
 
+    /// Of a closed mesh.
+    Candidate candidate(MeshCrossing const& crossing, LocalRay const& ray) const;
+
     /// Writes the next crossing at t ≥ reach.from, if there is one up to reach.to; returns t from which on
     /// what is met contradicts `inside` (∞: nothing does).
     ///   above   of an open geometry that the ray starts on: on which side
