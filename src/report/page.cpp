@@ -7,6 +7,8 @@
 #include "report/style.h"
 #include "report/sweep.h"
 
+#include <map>
+
 namespace sahl {
 
 namespace report {
@@ -91,9 +93,11 @@ std::string escaped_html(Value const& summary) {
     return table.rows.empty() ? "" : html_of(table);
 }
 
-std::string mesh_text(Value const& summary, std::string const& object) {
-    auto const triangles = number_at(summary, {"models", object, "triangles"});
-    Value const* const closed = at(summary, {"models", object, "closed"});
+std::string mesh_text(Value const* model) {
+    if (!model)
+        return "–";
+    auto const triangles = number_at(*model, {"triangles"});
+    Value const* const closed = at(*model, {"closed"});
     bool const open = closed && std::holds_alternative<bool>(closed->data) && !std::get<bool>(closed->data);
     return triangles
                ? count(static_cast<std::uint64_t>(*triangles)) + " triangles" + (open ? ", not closed" : "")
@@ -101,7 +105,10 @@ std::string mesh_text(Value const& summary, std::string const& object) {
 }
 
 std::string objects_html(Value const& summary) {
-    bool const meshes = !entries_at(summary, "models").empty();
+    std::map<std::string, Value const*> models; // there may be a hundred thousand instances of one
+    for (auto const& [name, model] : entries_at(summary, "models"))
+        models.emplace(name, model);
+    bool const meshes = !models.empty();
     HtmlTable table{{"object", "medium", "method", "error of directions (rad)"}, {}};
     if (meshes)
         table.headings.emplace_back("mesh");
@@ -110,7 +117,7 @@ std::string objects_html(Value const& summary) {
         table.rows.push_back({escaped(name), shown(at(*object, {"medium"})), shown(at(*object, {"method"})),
                               bound ? shown(bound) : "not stated"});
         if (meshes)
-            table.rows.back().push_back(mesh_text(summary, name));
+            table.rows.back().push_back(mesh_text(models.count(name) ? models.at(name) : nullptr));
     }
     return table.rows.empty() ? "" : html_of(table);
 }

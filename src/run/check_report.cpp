@@ -27,10 +27,9 @@ Value object_value(Checked const& checked, std::uint32_t number) {
     PilotOfBody const& pilot = checked.census.bodies[number];
     bool const inside = !body.open && !pilot.opaque;
     Table faces;
-    for (Face const& face : scene.faces)
-        if (face.body.value == number)
-            faces.emplace_back(face.name, of(face.surface ? surface_words(scene.surfaces[face.surface->value])
-                                                          : std::string("clear")));
+    for (Face const& face : faces_of(scene, {number}))
+        faces.emplace_back(face.name, of(face.surface ? surface_words(scene.surfaces[face.surface->value])
+                                                      : std::string("clear")));
     Table entry{{"what", of(body_words(scene, {number}, pilot.opaque))},
                 {"open", of(body.open)},
                 {"opaque", of(pilot.opaque)},

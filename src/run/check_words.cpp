@@ -47,13 +47,11 @@ std::string body_words(Scene const& scene, ObjectId body, bool opaque) {
     Body const& it = scene.bodies[body.value];
     std::string surface; // of all faces, where they are alike
     bool alike = true;
-    for (Face const& face : scene.faces)
-        if (face.body == body) {
-            std::string const one =
-                face.surface ? surface_words(scene.surfaces[face.surface->value]) : "clear";
-            alike = alike && (surface.empty() || surface == one);
-            surface = surface.empty() ? one : surface;
-        }
+    for (Face const& face : faces_of(scene, body)) {
+        std::string const one = face.surface ? surface_words(scene.surfaces[face.surface->value]) : "clear";
+        alike = alike && (surface.empty() || surface == one);
+        surface = surface.empty() ? one : surface;
+    }
     std::string const medium = scene.media[it.medium.value].name;
     if (it.open)
         return "open surface: " + (alike ? surface : "several finishes");

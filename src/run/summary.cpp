@@ -116,11 +116,13 @@ Value detector_figures(DetectorRecord const& record, Scene const& scene, Wavelen
 
 Value absorbed(Scene const& scene, Tally const& tally) {
     Table table;
+    std::vector<Table> faces_of_body(scene.bodies.size() + 1); // of the surroundings none
+    for (std::size_t i = 0; i < scene.faces.size(); ++i)
+        if (tally.absorbed_at_face[i] != ExactSum{})
+            faces_of_body[scene.faces[i].body.value].emplace_back(
+                scene.faces[i].name, of(tally.absorbed_at_face[i].value(tally.unit)));
     auto const entry = [&](std::string const& name, ExactSum const& bulk, std::size_t body) {
-        Table faces;
-        for (std::size_t i = 0; i < scene.faces.size(); ++i)
-            if (scene.faces[i].body.value == body && tally.absorbed_at_face[i] != ExactSum{})
-                faces.emplace_back(scene.faces[i].name, of(tally.absorbed_at_face[i].value(tally.unit)));
+        Table& faces = faces_of_body[body];
         table.emplace_back(
             name, of(Table{{"bulk", of(bulk.value(tally.unit))}, {"surface", of(std::move(faces))}}));
     };

@@ -172,4 +172,11 @@ Scene build_scene(Experiment const& experiment, ModelCache* cache) {
     return std::move(builder.scene);
 }
 
+std::span<Face const> faces_of(Scene const& scene, ObjectId body) {
+    auto const before = [](Face const& face, ObjectId of) { return face.body.value < of.value; };
+    auto const first = std::lower_bound(scene.faces.begin(), scene.faces.end(), body, before);
+    auto const last = std::lower_bound(first, scene.faces.end(), ObjectId{body.value + 1}, before);
+    return {first, last};
+}
+
 } // namespace sahl

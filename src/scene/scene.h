@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,9 @@ class ModelCache;
 /// Reads the experiment's models and puts everything in its place. Throws InputError.
 ///   cache   where models come from that were read before, and where they stay; none: they are this scene's
 Scene build_scene(Experiment const& experiment, ModelCache* cache = nullptr);
+
+/// The faces of a body, which stand together.
+std::span<Face const> faces_of(Scene const& scene, ObjectId body);
 
 /// The body that fills a place: of those that the shells belong to, the one of highest priority, of equals
 /// the later.
