@@ -1,6 +1,7 @@
 #include "geometry/contact.h"
 
 #include "math/overloaded.h"
+#include "math/sequences.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,12 @@ std::optional<double> scale_of(dmat3 const& m) {
             if (std::abs(gram[i][j] - (i == j ? squared : 0.0)) > tolerance)
                 return std::nullopt;
     return std::sqrt(squared);
+}
+
+/// x ↦ q(linear · x + shift)
+Quadric moved(Quadric const& q, dmat3 const& linear, dvec3 const& shift) {
+    dmat3 const turned = glm::transpose(linear);
+    return {turned * q.a * linear, turned * (2.0 * (q.a * shift) + q.b), q.value(shift), dvec3(0.0)};
 }
 
 Revolved scaled(Revolved form, double scale) {
@@ -80,25 +87,41 @@ std::optional<Carrier> seen_through(Carrier const& carrier, Affine const& map) {
                                                       scaled(sheet.form, *scale)})
                              : std::nullopt;
             },
-            [&](NoCarrier const&) { return Result(); },
+            [&](QuadricCarrier const& quadric) {
+                dmat3 const back = glm::inverse(map.linear);
+                return Result(QuadricCarrier{moved(quadric.form, back, -(back * map.offset))});
+            },
         },
         carrier);
 }
 
-Carrier carrier_of(Region const& region) {
+Carriers carriers_of(Region const& region) {
+    Carriers carriers;
     switch (region.kind) {
     case Region::Kind::half_space:
-        return PlaneCarrier{region.a, region.b};
+        carriers.push_back(PlaneCarrier{region.a, region.b});
+        break;
     case Region::Kind::tube:
-        return TubeCarrier{dvec3(0.0), dvec3(0.0, 0.0, 1.0), region.b};
+        carriers.push_back(TubeCarrier{dvec3(0.0), dvec3(0.0, 0.0, 1.0), region.b});
+        break;
     case Region::Kind::sheet:
-        return carrier_of(*region.sheet, region.a);
+        carriers.push_back(carrier_of(*region.sheet, region.a));
+        break;
     case Region::Kind::quadric:
+        carriers.push_back(QuadricCarrier{moved(*region.quadric, dmat3(1.0), -region.a)});
+        break;
     case Region::Kind::block:
-        return NoCarrier{};
+        for (int axis = 0; axis < 3; ++axis)
+            for (double const sign : {-1.0, 1.0}) {
+                dvec3 normal(0.0);
+                normal[axis] = sign;
+                carriers.push_back(PlaneCarrier{normal, region.a[axis]});
+            }
+        break;
     default:
-        return SphereCarrier{region.a, region.b};
+        carriers.push_back(SphereCarrier{region.a, region.b});
     }
+    return carriers;
 }
 
 /// That of a sphere or a plane is theirs, whatever shape it belongs to.
@@ -115,14 +138,89 @@ Carrier sheet_carrier() {
     return PlaneCarrier{{0.0, 0.0, 1.0}, 0.0};
 }
 
+namespace {
+
+/// Do two quadrics coincide within `reach` of the origin? Wherever lines along the axes meet the first, the
+/// second must pass within `distance`, besides what rounds where it is evaluated. Two that differ have a
+/// curve in common at most.
+bool coincide(Quadric const& one, Quadric const& other, double reach, double distance) {
+    constexpr std::uint32_t lines =
+        1024; // along each axis at most: the surface may be small in what is looked at
+    constexpr std::uint32_t enough = 24; // meetings; nine numbers say what a quadric is
+    std::uint32_t met = 0;
+    for (std::uint32_t k = 0; k < lines && met < enough; ++k)
+        for (int axis = 0; axis < 3; ++axis) {
+            dvec2 const at = sobol_2d(k, static_cast<std::uint64_t>(axis));
+            dvec3 origin(0.0), direction(0.0);
+            origin[(axis + 1) % 3] = reach * (2.0 * at.x - 1.0);
+            origin[(axis + 2) % 3] = reach * (2.0 * at.y - 1.0);
+            direction[axis] = 1.0;
+            QuadricRoots const roots = roots_of(one, origin, direction, 0.0);
+            for (double const t : {roots.one, roots.two}) {
+                if (!roots.any || !(std::abs(t) <= reach))
+                    continue;
+                dvec3 point = origin + t * direction;
+                settle(one, point);
+                dvec3 const size = glm::abs(point);
+                double const terms =
+                    std::abs(other.c) + dot(glm::abs(other.b), size) +
+                    dot(size, dmat3(glm::abs(other.a[0]), glm::abs(other.a[1]), glm::abs(other.a[2])) * size);
+                double const allowed = distance * length(other.gradient(point)) +
+                                       placement_ulps * std::numeric_limits<double>::epsilon() * terms;
+                if (!(std::abs(other.value(point)) <= allowed))
+                    return false;
+                ++met;
+            }
+        }
+    return met >= 9; // else it hardly reaches here
+}
+
+/// The same surface as a quadric; nothing where it is none (aspheric), or flat.
+std::optional<Quadric> as_quadric(Carrier const& carrier) {
+    using Result = std::optional<Quadric>;
+    auto const about = [](dmat3 const& a, dvec3 const& b, dvec3 const& origin) { // xᵀ a x + b·x from there
+        return Result(moved(Quadric{a, b, 0.0, dvec3(0.0)}, dmat3(1.0), -origin));
+    };
+    return std::visit(
+        Overloaded{
+            [](PlaneCarrier const&) { return Result(); },
+            [&](SphereCarrier const& s) {
+                double const far = length(s.centre); // no cancellation where it passes the origin
+                return Result(
+                    Quadric{dmat3(1.0), -2.0 * s.centre, (far - s.radius) * (far + s.radius), dvec3(0.0)});
+            },
+            [&](TubeCarrier const& t) {
+                auto q = about(dmat3(1.0) - glm::outerProduct(t.axis, t.axis), dvec3(0.0), t.point);
+                q->c -= t.radius * t.radius;
+                return q;
+            },
+            [&](RevolvedCarrier const& r) {
+                if (!r.form.terms.empty() || r.form.curvature == 0.0)
+                    return Result();
+                double const c = r.form.curvature;
+                return about(c * dmat3(1.0) + c * r.form.conic * glm::outerProduct(r.axis, r.axis),
+                             -2.0 * r.axis, r.vertex);
+            },
+            [](QuadricCarrier const& q) { return Result(q.form); },
+        },
+        carrier);
+}
+
+} // namespace
+
 bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& other,
               Affine const& other_to_world, double reach) {
-    if (one.index() != other.index())
-        return false;
-    Affine const to_one = inverse(one_to_world);
-    auto const seen = seen_through(other, compose(to_one, other_to_world));
-    if (!seen)
-        return false;
+    Affine const to_one = inverse(one_to_world), other_to_one = compose(to_one, other_to_world);
+    auto const seen = seen_through(other, other_to_one);
+    bool const alike = one.index() == other.index() && seen && !std::holds_alternative<QuadricCarrier>(one);
+    if (!alike) {
+        auto const a = as_quadric(one), b = as_quadric(other);
+        if (!a || !b)
+            return false;
+        dmat3 const back = glm::inverse(other_to_one.linear);
+        return coincide(*a, moved(*b, back, -(back * other_to_one.offset)), reach,
+                        placing_tolerance(one_to_world, other_to_world, reach));
+    }
     double const ulp = placement_ulps * std::numeric_limits<double>::epsilon();
     double const distance = placing_tolerance(one_to_world, other_to_world, reach);
     return std::visit(Overloaded{
@@ -153,7 +251,7 @@ bool coincide(Carrier const& one, Affine const& one_to_world, Carrier const& oth
                                      length(a.axis - sense * b.axis) * reach <= distance &&
                                      rise_alike(a.form, b.form, sense, reach, distance);
                           },
-                          [](NoCarrier const&) { return false; },
+                          [](QuadricCarrier const&) { return false; }, // above
                       },
                       one);
 }

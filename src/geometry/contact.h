@@ -3,6 +3,7 @@
 // however small, stays a gap.
 #pragma once
 
+#include "geometry/quadric.h"
 #include "geometry/revolved.h"
 #include "geometry/shape.h"
 #include "geometry/solid.h"
@@ -31,10 +32,14 @@ struct RevolvedCarrier {
     dvec3 vertex, axis; // unit axis
     Revolved form;
 };
-struct NoCarrier {}; // of a face that is found in contact with no other: a general quadric, several caps
-using Carrier = std::variant<PlaneCarrier, SphereCarrier, TubeCarrier, RevolvedCarrier, NoCarrier>;
+struct QuadricCarrier { // a cone's side, a general quadric: all of it, an apex and a second sheet too
+    Quadric form;
+};
+using Carrier = std::variant<PlaneCarrier, SphereCarrier, TubeCarrier, RevolvedCarrier, QuadricCarrier>;
+/// A quadric's caps are one face of six planes; any other face has one carrier.
+using Carriers = std::vector<Carrier>;
 
-Carrier carrier_of(Region const& region);
+Carriers carriers_of(Region const& region);
 Carrier carrier_of(RevolvedSheet const& sheet, dvec3 const& vertex);
 Carrier sheet_carrier(); // z = 0
 
@@ -52,7 +57,8 @@ std::optional<dvec3> tangent_point(Carrier const& one, Affine const& one_to_worl
 /// from whose origin they meet.
 double placing_tolerance(Affine const& one_to_world, Affine const& other_to_world, double reach);
 
-/// A carrier seen through an affine map; nothing where it is not of the same kind any more.
+/// A carrier seen through an affine map; nothing where it is not of the same kind any more (a sphere that is
+/// stretched).
 std::optional<Carrier> seen_through(Carrier const& carrier, Affine const& map);
 
 } // namespace sahl

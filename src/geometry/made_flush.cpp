@@ -213,11 +213,26 @@ void Flush::bind(Corners const& places, std::uint32_t plane) {
 
 void Flush::bind_to_shape(PlacedFit const& fit) {
     Placed const& shape = objects_[fit.other];
-    auto const seen = seen_through(shape.carrier(fit.fit.other), shape.geometry.to_world);
-    auto const* const plane = seen ? std::get_if<PlaneCarrier>(&*seen) : nullptr;
-    if (!plane)
+    Corners const triangle = corners(fit.one, fit.fit.one);
+    std::optional<WorldPlane> nearest; // a quadric's caps are several
+    double least = INFINITY;
+    for (Carrier const& carrier : shape.carriers(fit.fit.other)) {
+        auto const seen = seen_through(carrier, shape.geometry.to_world);
+        auto const* const plane = seen ? std::get_if<PlaneCarrier>(&*seen) : nullptr;
+        if (!plane)
+            continue;
+        WorldPlane const here{plane->normal, plane->offset * plane->normal};
+        double farthest = 0.0;
+        for (std::uint32_t const place : triangle)
+            farthest = std::max(farthest, std::abs(here.off(at_[place])));
+        if (farthest < least) {
+            least = farthest;
+            nearest = here;
+        }
+    }
+    if (!nearest)
         return;
-    WorldPlane const wanted{plane->normal, plane->offset * plane->normal};
+    WorldPlane const& wanted = *nearest;
     auto const same = [&](WorldPlane const& p) {
         return p.normal == wanted.normal && p.on_it == wanted.on_it;
     };
@@ -225,7 +240,7 @@ void Flush::bind_to_shape(PlacedFit const& fit) {
     auto const number = static_cast<std::uint32_t>(known - planes_.begin());
     if (known == planes_.end())
         planes_.push_back(wanted);
-    bind(corners(fit.one, fit.fit.one), number);
+    bind(triangle, number);
 }
 
 double Flush::area(PlacedFit const& fit) const {

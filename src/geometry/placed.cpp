@@ -324,12 +324,13 @@ std::uint32_t Placed::face_count() const {
     return static_cast<std::uint32_t>(face_names(std::get<Shape>(geometry.geometry)).size());
 }
 
-Carrier Placed::carrier(std::uint32_t face) const {
+Carriers Placed::carriers(std::uint32_t face) const {
     if (Solid const* const solid = std::get_if<Solid>(&met_by))
-        return carrier_of(solid->regions()[face]);
-    if (Curved const* const curved = std::get_if<Curved>(&met_by))
-        return carrier_of(**curved, dvec3(0.0));
-    return sheet_carrier();
+        return carriers_of(solid->regions()[face]);
+    Curved const* const curved = std::get_if<Curved>(&met_by);
+    Carriers one;
+    one.push_back(curved ? carrier_of(**curved, dvec3(0.0)) : sheet_carrier());
+    return one;
 }
 
 } // namespace sahl

@@ -70,8 +70,8 @@ struct Placed {
                       double from) const;
 
     std::uint32_t face_count() const;
-    Carrier carrier(std::uint32_t face) const; // of an exact shape
-    Mesh const* mesh() const;                  // none: an exact shape
+    Carriers carriers(std::uint32_t face) const; // of an exact shape
+    Mesh const* mesh() const;                    // none: an exact shape
     bool exact() const { return !mesh(); }
 };
 

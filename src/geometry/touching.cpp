@@ -94,6 +94,8 @@ struct Touching::Search {
         faces.emplace_back(one, other);
     }
     void shapes(std::uint32_t i, std::uint32_t j);
+    void faces_of_shapes(std::uint32_t i, std::uint32_t f, Carrier const& one, std::uint32_t j,
+                         std::uint32_t g, Carrier const& other, double reach);
     void mesh_and_shape(std::uint32_t mesh, std::uint32_t shape);
     void meshes(std::uint32_t i, std::uint32_t j);
     void shells_of(std::uint32_t i);
@@ -104,26 +106,35 @@ void Touching::Search::shapes(std::uint32_t i, std::uint32_t j) {
         std::swap(i, j); // the reach is that of a bounded one
     Placed const &a = objects[i], &b = objects[j];
     double const reach = a.bounded ? a.extent : 1.0; // of two planes none
+    std::vector<Carriers> others;
+    for (std::uint32_t g = 0; g < b.face_count(); ++g)
+        others.push_back(b.carriers(g));
     for (std::uint32_t f = 0; f < a.face_count(); ++f)
-        for (std::uint32_t g = 0; g < b.face_count(); ++g) {
-            Carrier const one = a.carrier(f), other = b.carrier(g);
-            Affine const &one_place = a.geometry.to_world, &other_place = b.geometry.to_world;
-            if (coincide(one, one_place, other, other_place, reach)) {
-                add(i, f, j, g);
-                faces.emplace_back(face_id(i, f), face_id(j, g));
-            } else if (auto const at = tangent_point(one, one_place, other, other_place, reach)) {
-                auto const near = [&](Placed const& object) {
-                    double const margin = margin_of(object);
-                    return !object.bounded ||
-                           overlap({object.box.low - margin, object.box.high + margin}, {*at, *at});
-                };
-                if (!near(a) || !near(b))
-                    continue;
-                // beside the point there is a gap: no crossings are merged
-                tangencies.push_back({face_id(i, f), face_id(j, g), *at});
-                tangent_objects.emplace_back(std::minmax(i, j));
-            }
-        }
+        for (Carrier const& one : a.carriers(f))
+            for (std::uint32_t g = 0; g < others.size(); ++g)
+                for (Carrier const& other : others[g])
+                    faces_of_shapes(i, f, one, j, g, other, reach);
+}
+
+void Touching::Search::faces_of_shapes(std::uint32_t i, std::uint32_t f, Carrier const& one, std::uint32_t j,
+                                       std::uint32_t g, Carrier const& other, double reach) {
+    Placed const &a = objects[i], &b = objects[j];
+    Affine const &one_place = a.geometry.to_world, &other_place = b.geometry.to_world;
+    if (coincide(one, one_place, other, other_place, reach)) {
+        add(i, f, j, g);
+        faces.emplace_back(face_id(i, f), face_id(j, g));
+    } else if (auto const at = tangent_point(one, one_place, other, other_place, reach)) {
+        auto const near = [&](Placed const& object) {
+            double const margin = margin_of(object);
+            return !object.bounded ||
+                   overlap({object.box.low - margin, object.box.high + margin}, {*at, *at});
+        };
+        if (!near(a) || !near(b))
+            return;
+        // beside the point there is a gap: no crossings are merged
+        tangencies.push_back({face_id(i, f), face_id(j, g), *at});
+        tangent_objects.emplace_back(std::minmax(i, j));
+    }
 }
 
 void Touching::Search::mesh_and_shape(std::uint32_t mesh, std::uint32_t shape) {
@@ -133,17 +144,18 @@ void Touching::Search::mesh_and_shape(std::uint32_t mesh, std::uint32_t shape) {
         b.bounded ? box_through(b.box, a.to_local) : Bounds{dvec3(-INFINITY), dvec3(INFINITY)};
     FitTolerance const tolerance{placing_tolerance(a.geometry.to_world, b.geometry.to_world, a.extent),
                                  has_floats(a), false};
-    for (std::uint32_t face = 0; face < b.face_count(); ++face) {
-        auto const seen = seen_through(b.carrier(face), to_mesh);
-        auto const* const plane = seen ? std::get_if<PlaneCarrier>(&*seen) : nullptr;
-        if (!plane) // a flat triangle lies on no sphere
-            continue;
-        for (TriangleFit fit : fits_of(*a.mesh(), *plane, region, tolerance)) {
-            fit.other = face;
-            take({mesh, shape, fit}, face_id(mesh, a.mesh()->soup.triangle_face[fit.one]),
-                 face_id(shape, face), tolerance.placing);
+    for (std::uint32_t face = 0; face < b.face_count(); ++face)
+        for (Carrier const& carrier : b.carriers(face)) {
+            auto const seen = seen_through(carrier, to_mesh);
+            auto const* const plane = seen ? std::get_if<PlaneCarrier>(&*seen) : nullptr;
+            if (!plane) // a flat triangle lies on no sphere
+                continue;
+            for (TriangleFit fit : fits_of(*a.mesh(), *plane, region, tolerance)) {
+                fit.other = face;
+                take({mesh, shape, fit}, face_id(mesh, a.mesh()->soup.triangle_face[fit.one]),
+                     face_id(shape, face), tolerance.placing);
+            }
         }
-    }
 }
 
 void Touching::Search::meshes(std::uint32_t i, std::uint32_t j) {
