@@ -130,6 +130,11 @@ class Bvh {
     /// The box of all that is bounded, in the world.
     std::pair<dvec3, dvec3> bounds() const;
 
+        // a curved face of a mesh follows one of the other object to within how far its facets may lie off
+        // what they stand for: between the two are gaps and overlaps (m: the widest found); 0: none does, or
+        // no gap is asked for
+        double facets = 0.0;
+        FaceId facets_one, facets_other;
   private:
     struct State;
     std::unique_ptr<State> state_;

@@ -1,11 +1,13 @@
 #include "geometry/survey.h"
 
 #include "geometry/box_pairs.h"
+#include "geometry/facet_error.h"
 #include "math/sequences.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace sahl {
 
@@ -68,11 +70,36 @@ Way way_through(std::span<Placed const> objects, std::uint32_t index, dvec3 cons
     return way;
 }
 
+constexpr std::uint32_t lines_that_follow =
+    8; // of at most 192: faces that cross are near each other for fewer
+
+/// Meshes' facet errors, found when they are first asked for.
+class Facets {
+  public:
+    /// m, world; 0 for an exact shape.
+    double at(Placed const& object, std::int32_t triangle) {
+        Mesh const* const mesh = object.mesh();
+        if (!mesh)
+            return 0.0;
+        auto const [known, is_new] = errors_.try_emplace(mesh);
+        if (is_new)
+            known->second = facet_errors(*mesh);
+        dmat3 const& m = object.geometry.to_world.linear;
+        return std::max({length(m[0]), length(m[1]), length(m[2])}) *
+               known->second[static_cast<std::uint32_t>(triangle)];
+    }
+
+  private:
+    std::map<Mesh const*, std::vector<double>> errors_;
+};
+
 /// What a line tells of two objects.
 struct Surveyor {
     std::span<Placed const> objects;
     Touching const& touch;
     Bvh::Closeness& found;
+    Facets& facets;
+    std::uint32_t following = 0; // lines along which faces are no farther apart than their facets
 
     FaceId face_id(Candidate const& at) const {
         return {objects[at.object].geometry.first_face.value + at.face};
@@ -94,15 +121,19 @@ struct Surveyor {
     }
     /// Returns the least way between a surface of one and one of the other, ∞ where the line does not tell.
     double take_gap(Way const& one, Way const& other, double near, dvec3 const& origin,
-                    dvec3 const& direction) const {
+                    dvec3 const& direction) {
         double least = INFINITY;
+        bool follows = false;
         for (Crossed const& a : one)
             for (Crossed const& b : other) {
                 double const along = std::abs(b.at.t - a.at.t), across = along * std::min(a.slope, b.slope);
-                if (across >= least || touch(a.at, b.at))
+                if (touch(a.at, b.at))
+                    continue;
+                bool const a_film = std::abs(dot(a.normal, b.normal)) > parallel; // and no corner
+                follows = follows || (near > 0.0 && a_film && take_facets(a.at, b.at, across));
+                if (across >= least)
                     continue;
                 least = across;
-                bool const a_film = std::abs(dot(a.normal, b.normal)) > parallel; // and no corner
                 if (!a_film || along <= a.at.blur + b.at.blur || across >= std::min(near, found.gap))
                     continue;
                 found.gap = across;
@@ -110,19 +141,31 @@ struct Surveyor {
                 found.gap_one = face_id(a.at);
                 found.gap_other = face_id(b.at);
             }
+        following += follows;
         return least;
+    }
+    bool take_facets(Candidate const& a, Candidate const& b, double across) {
+        double const error =
+            facets.at(objects[a.object], a.primitive) + facets.at(objects[b.object], b.primitive);
+        if (!(across < error))
+            return false;
+        if (across > found.facets) {
+            found.facets = across;
+            found.facets_one = face_id(a);
+            found.facets_other = face_id(b);
+        }
+        return true;
     }
 };
 
 /// A pair of objects, and the lines through the region where their boxes meet.
 class PairSurvey {
   public:
-    PairSurvey(std::span<Placed const> objects, Touching const& touch, std::uint32_t one, std::uint32_t other,
-               double near)
-        : objects_(objects),
-          near_(near), found_{one, other, 0.0, dvec3(0.0), INFINITY, dvec3(0.0), {}, {}}, surveyor_{objects,
-                                                                                                    touch,
-                                                                                                    found_} {
+    PairSurvey(std::span<Placed const> objects, Touching const& touch, Facets& facets, std::uint32_t one,
+               std::uint32_t other, double near)
+        : objects_(objects), near_(near), surveyor_{objects, touch, found_, facets} {
+        found_.one = one;
+        found_.other = other;
         Placed const &a = objects[one], &b = objects[other];
         Bounds const first = a.bounded ? a.box : b.box, second = b.bounded ? b.box : a.box;
         double const margin =
@@ -142,6 +185,8 @@ class PairSurvey {
                     nearest[static_cast<std::size_t>(axis)] = at;
                 }
             }
+        if (surveyor_.following < lines_that_follow)
+            found_.facets = 0.0;
         // bodies that overlap or touch meet somewhere at a corner: no gap is meant there
         bool const goes_on =
             near_ > 0.0 && found_.overlap == 0.0 && !surveyor_.touch.objects(found_.one, found_.other);
@@ -200,6 +245,7 @@ std::vector<Bvh::Closeness> survey(std::span<Placed const> objects, Touching con
     auto const points = static_cast<std::uint32_t>(
         std::clamp<std::size_t>(most_lines / (3 * std::max<std::size_t>(pairs.size(), 1)), 1, most_points));
     std::vector<Bvh::Closeness> close;
+    Facets facets;
     for (auto const& [one, other] : pairs) {
         auto const is_sheet = [&](std::uint32_t i) {
             return objects[i].geometry.open || std::holds_alternative<Shape>(objects[i].met_by);
@@ -207,8 +253,9 @@ std::vector<Bvh::Closeness> survey(std::span<Placed const> objects, Touching con
         if (is_sheet(one) && is_sheet(other))
             continue;
         Bvh::Closeness const found =
-            PairSurvey(objects, touch, one, other, touch.at_a_point(one, other) ? 0.0 : near).search(points);
-        if (found.overlap > 0.0 || found.gap < near)
+            PairSurvey(objects, touch, facets, one, other, touch.at_a_point(one, other) ? 0.0 : near)
+                .search(points);
+        if (found.overlap > 0.0 || found.gap < near || found.facets > 0.0)
             close.push_back(found);
     }
     return close;

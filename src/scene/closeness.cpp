@@ -57,7 +57,17 @@ std::vector<std::string> overlap_warnings(Scene const& scene) {
 std::vector<std::string> near_warnings(Scene const& scene, double wavelength) {
     std::vector<std::string> warnings;
     for (Bvh::Closeness const& close : scene.bvh->closeness(wavelength))
-        if (close.gap < wavelength)
+        if (close.facets > 0.0)
+            warnings.push_back(
+                scene.faces[close.facets_one.value].name + " and " +
+                scene.faces[close.facets_other.value].name +
+                " follow each other, but facets of theirs do not lie on each other: between them are gaps "
+                "and "
+                "overlaps, of up to " +
+                size(close.facets) +
+                " where it was looked, and they are traced as such; no light is lost, but the gaps reflect: "
+                "exact shapes on both sides, or the same triangles, would touch");
+        else if (close.gap < wavelength)
             warnings.push_back(scene.faces[close.gap_one.value].name + " and " +
                                scene.faces[close.gap_other.value].name + " nearly touch: a gap of " +
                                size(close.gap) + " at " + place(close.gap_at) +

@@ -4,6 +4,7 @@
 #include "support/dice.h"
 #include "support/lab.h"
 #include "support/lathe.h"
+#include "torture/solids.h"
 
 using namespace sahl;
 using namespace sahl::bench;
@@ -59,6 +60,59 @@ TEST_CASE("where a lens nearly touches a plate is found though it is a point") {
     auto const warnings = near_warnings(build_scene(lab.experiment), wavelength);
     REQUIRE(warnings.size() == 1);
     CHECK(tells(warnings, {"plate.front", "lens.front", "0.2 µm"}));
+}
+
+namespace {
+
+/// A doublet whose halves follow each other with different facets, or one of them exact; a spherical beam
+/// goes through.
+struct FacetedDoublet {
+    Scene scene;
+    TraceOptions options;
+};
+
+FacetedDoublet faceted_doublet(bool exact, std::uint32_t around, Affine const& frame, int priority) {
+    Lab lab;
+    MediumId const crown = lab.medium(1.5168), flint = lab.medium(1.67271);
+    double const r1 = 61.47e-3, r2 = -44.64e-3, r3 = -129.94e-3, rim = 12.5e-3;
+    if (exact)
+        lab.body("crown", Lens{r1, r2, 6e-3, 2.0 * rim}, crown, frame, priority);
+    std::vector<RaySpec> rays;
+    Dice dice(7);
+    for (int k = 0; k < 300; ++k)
+        rays.push_back({frame.point(dvec3(dice.between(-8e-3, 8e-3), dice.between(-8e-3, 8e-3), -0.02)),
+                        frame.vector(normalize(dvec3(0.0, 0.0, 1.0) + 0.1 * dice.direction()))});
+    lab.rays(rays);
+    lab.experiment.trace.min_power = 1e-4;
+    std::vector<MeshSpec> meshes;
+    if (!exact)
+        meshes.push_back(
+            {"crown", mesh_of(lens_soup(r1, r2, 0.0, 6e-3, rim, 9, 20)), crown, frame, priority});
+    meshes.push_back(
+        {"flint", mesh_of(lens_soup(r2, r3, 6e-3, 2.5e-3, rim, exact ? 10 : 9, around)), flint, frame});
+    return {with_meshes(build_scene(lab.experiment), meshes), lab.experiment.trace};
+}
+
+} // namespace
+
+TEST_CASE("where facets follow a curved face without lying on it that is said, and no watt is lost") {
+    Dice dice(2);
+    for (bool const exact : {true, false})
+        for (int k = 0; k < 4; ++k) {
+            Affine const frame = k ? Affine{dice.rotation(), dice.direction()} : Affine{};
+            CAPTURE(exact, k);
+            FacetedDoublet made = faceted_doublet(exact, 24, frame, k % 2);
+            auto const warnings = near_warnings(made.scene, wavelength);
+            REQUIRE(warnings.size() == 1);
+            CHECK(tells(warnings, {"crown", "flint", "follow each other", "gaps and overlaps", "µm"}));
+            Traced const traced = trace(std::move(made.scene), made.options);
+            Tally const& tally = traced.result.tally;
+            CHECK(traced.ended(Event::leak) + traced.ended(Event::invalid) == 0);
+            CHECK(tally.error == ExactSum{});
+            CHECK(std::abs(tally.remainder()) <= 1e-12 * tally.emitted.value(tally.unit));
+        }
+    // the same triangles on both sides touch
+    CHECK(near_warnings(faceted_doublet(false, 20, {}, 0).scene, wavelength).empty());
 }
 
 TEST_CASE("bodies that overlap at equal priority are warned of, others are not") {
