@@ -304,6 +304,12 @@ Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
     return start;
 }
 
+dmat3 Bvh::turning(std::uint32_t object, FaceId face, std::int32_t primitive, dvec3 const& point,
+                   dvec3 const& normal) const {
+    Placed const& placed = state_->objects[object];
+    return placed.turning(face.value - placed.geometry.first_face.value, primitive, point, normal);
+}
+
 std::vector<std::pair<FaceId, FaceId>> const& Bvh::contacts() const {
     return state_->touch.faces();
 }

@@ -98,6 +98,14 @@ class Bvh {
     };
     Start start_at(dvec3 const& point, dvec3 const& direction) const;
 
+    /// How the unit normal of a face turns from place to place: dn = turning · dx (1/m) for dx along the
+    /// surface, in the world, by differences; zero where it is flat, at edges too.
+    ///   object      index of the placed geometry
+    ///   primitive   of a mesh
+    ///   point       on the face; `normal` there, either way round, says which way round dn is
+    dmat3 turning(std::uint32_t object, FaceId face, std::int32_t primitive, dvec3 const& point,
+                  dvec3 const& normal) const;
+
     /// Pairs of faces that lie on each other, each once.
     std::vector<std::pair<FaceId, FaceId>> const& contacts() const;
     /// Faces of exact shapes that touch at one point (m, world).
@@ -122,6 +130,11 @@ class Bvh {
         double gap = INFINITY; // m: the least found; ∞: none below what was asked for
         dvec3 gap_at{0.0};
         FaceId gap_one, gap_other; // between these
+        // a curved face of a mesh follows one of the other object to within how far its facets may lie off
+        // what they stand for: between the two are gaps and overlaps (m: the widest found); 0: none does, or
+        // no gap is asked for
+        double facets = 0.0;
+        FaceId facets_one, facets_other;
     };
     /// What lines through the places where boxes meet find: overlaps, and gaps below `near` (m). A sample, at
     /// most 0.1 s of it: a small overlap may go unseen.
@@ -130,11 +143,6 @@ class Bvh {
     /// The box of all that is bounded, in the world.
     std::pair<dvec3, dvec3> bounds() const;
 
-        // a curved face of a mesh follows one of the other object to within how far its facets may lie off
-        // what they stand for: between the two are gaps and overlaps (m: the widest found); 0: none does, or
-        // no gap is asked for
-        double facets = 0.0;
-        FaceId facets_one, facets_other;
   private:
     struct State;
     std::unique_ptr<State> state_;

@@ -310,6 +310,64 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
     return crossing;
 }
 
+namespace {
+
+/// Of the point's foot on a triangle's plane.
+dvec2 barycentric(TriangleSoup const& soup, std::uint32_t triangle, dvec3 const& point) {
+    auto const& [a, b, c] = soup.triangles[triangle];
+    dvec3 const u = soup.positions[b] - soup.positions[a], v = soup.positions[c] - soup.positions[a],
+                p = point - soup.positions[a];
+    double const uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), area = uu * vv - uv * uv;
+    return {(dot(p, u) * vv - dot(p, v) * uv) / area, (dot(p, v) * uu - dot(p, u) * uv) / area};
+}
+
+bool is_flat(Placed const& placed, std::uint32_t face) {
+    if (placed.mesh())
+        return !placed.geometry.interpolate;
+    if (Solid const* const solid = std::get_if<Solid>(&placed.met_by)) {
+        Region::Kind const kind = solid->regions()[face].kind;
+        return kind == Region::Kind::half_space || kind == Region::Kind::block;
+    }
+    return std::holds_alternative<Shape>(placed.met_by);
+}
+
+} // namespace
+
+dmat3 Placed::turning(std::uint32_t face, std::int32_t primitive, dvec3 const& point,
+                      dvec3 const& normal) const {
+    if (is_flat(*this, face))
+        return dmat3(0.0);
+    // what a third power of the step leaves out, and what rounding over the step brings in, are both below
+    // 1e-9
+    double const step = 1e-5 * length(box.high - box.low);
+    dvec3 const here = to_local.point(point);
+    auto const normal_at = [&](dvec3 const& shift) {
+        dvec3 at = here + to_local.vector(shift);
+        dvec3 const local =
+            std::visit(Overloaded{
+                           [&](Shape const&) { return dvec3(0.0, 0.0, 1.0); },
+                           [&](Solid const& solid) { return solid.settle(face, at); },
+                           [&](Curved const& curved) { return curved->settle(at); },
+                           [&](auto const& tree_or_sheet) {
+                               TriangleSoup const& soup = tree_or_sheet->mesh().soup;
+                               auto const triangle = static_cast<std::uint32_t>(primitive);
+                               return smooth_normal(soup, triangle, barycentric(soup, triangle, at),
+                                                    glm::transpose(geometry.to_world.linear) * normal);
+                           },
+                       },
+                       met_by);
+        dvec3 const seen = normalize(glm::transpose(to_local.linear) * local);
+        return dot(seen, normal) < 0.0 ? -seen : seen;
+    };
+    dmat3 turning(0.0);
+    dvec3 const side = perpendicular_to(normal);
+    for (dvec3 const& along : {side, cross(normal, side)}) {
+        dvec3 const change = (normal_at(step * along) - normal_at(-step * along)) / (2.0 * step);
+        turning += dmat3(along.x * change, along.y * change, along.z * change);
+    }
+    return turning;
+}
+
 Mesh const* Placed::mesh() const {
     if (Tree const* const tree = std::get_if<Tree>(&met_by))
         return &(*tree)->mesh();

@@ -69,6 +69,9 @@ struct Placed {
     Crossing finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction,
                       double from) const;
 
+    /// See Bvh::turning; the face by its local number.
+    dmat3 turning(std::uint32_t face, std::int32_t primitive, dvec3 const& point, dvec3 const& normal) const;
+
     std::uint32_t face_count() const;
     Carriers carriers(std::uint32_t face) const; // of an exact shape
     Mesh const* mesh() const;                    // none: an exact shape

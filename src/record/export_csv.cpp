@@ -53,8 +53,8 @@ struct Fields {
     }
 };
 
-void put_row(Fields& fields, WavelengthInNm& nm, Segment const& segment) {
-    visit_columns(nm, [&](ColumnInfo, auto get, auto) {
+void put_row(Fields& fields, WavelengthInNm& nm, bool digits_lost, Segment const& segment) {
+    visit_columns(nm, digits_lost, [&](ColumnInfo, auto get, auto) {
         fields.put(get(segment));
         fields.text += ',';
     });
@@ -71,12 +71,13 @@ void put_row(Fields& fields, WavelengthInNm& nm, Segment const& segment) {
 void export_csv(RayLogReader const& log, std::filesystem::path const& out, PathFilter const* where) {
     Fields fields{as_fields(log.header().surfaces), as_fields(log.header().media), {}};
     WavelengthInNm nm;
-    visit_columns(nm, [&](ColumnInfo info, auto, auto) { (fields.text += info.name) += ','; });
+    bool const digits_lost = log.header().digits_lost;
+    visit_columns(nm, digits_lost, [&](ColumnInfo info, auto, auto) { (fields.text += info.name) += ','; });
     fields.text += "end_x_mm,end_y_mm,end_z_mm\n";
     PendingFile file(out);
     read_rays(log, where, [&](std::span<Segment const> ray) {
         for (Segment const& segment : ray)
-            put_row(fields, nm, segment);
+            put_row(fields, nm, digits_lost, segment);
         if (fields.text.size() >= portion_bytes) {
             file.write(fields.text);
             fields.text.clear();

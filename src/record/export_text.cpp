@@ -76,7 +76,7 @@ void export_json_lines(RayLogReader const& log, std::filesystem::path const& out
     WavelengthInNm nm;
     write_rows(log, out, where, {}, [&](std::string& text, Segment const& segment) {
         char next = '{';
-        visit_columns(nm, [&](ColumnInfo info, auto get, auto) {
+        visit_columns(nm, log.header().digits_lost, [&](ColumnInfo info, auto get, auto) {
             ((((text += next) += '"') += info.name) += "\":");
             next = ',';
             auto const value = get(segment);

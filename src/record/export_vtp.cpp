@@ -46,9 +46,9 @@ struct Block {
     }
 };
 
-std::vector<Block> columns_of(WavelengthInNm& nm) {
+std::vector<Block> columns_of(WavelengthInNm& nm, bool digits_lost) {
     std::vector<Block> blocks;
-    visit_columns(nm, [&](ColumnInfo info, auto get, auto) {
+    visit_columns(nm, digits_lost, [&](ColumnInfo info, auto get, auto) {
         using Value = Stored<std::remove_cvref_t<decltype(get(Segment{}))>>;
         std::string const name = info.name;
         for (char const* const shown : {"x_mm", "y_mm", "z_mm", "dx", "dy", "dz", "length_mm"})
@@ -117,7 +117,7 @@ void write_block(RayLogReader const& log, PathFilter const* where, Block const& 
 void export_vtp(RayLogReader const& log, std::filesystem::path const& out, PathFilter const* where) {
     WavelengthInNm nm;
     std::uint64_t const count = count_of(log, where);
-    std::vector<Block> const cells = columns_of(nm);
+    std::vector<Block> const cells = columns_of(nm, log.header().digits_lost);
     std::vector<Block> blocks{points(drawn_escape(log, where)), connectivity(), offsets()};
     blocks.insert(blocks.end(), cells.begin(), cells.end());
     std::vector<std::string> elements;

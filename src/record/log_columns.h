@@ -93,10 +93,11 @@ struct WavelengthInNm {
 };
 
 /// Calls column(info, get, set) for each column in the order of the contract.
+///   digits_lost                      with the column of that name, which a log has where it was asked for
 ///   get(Segment const&)                 the value of the column; Stored<…> of its type is the type in the
 ///   file set(Segment&, Stored<…> value)      puts it back
 template <class Visitor>
-void visit_columns(WavelengthInNm& nm, Visitor&& column) {
+void visit_columns(WavelengthInNm& nm, bool digits_lost, Visitor&& column) {
     using S = Segment;
     column(
         ColumnInfo{"ray", "", "number of the ray, counted from 0 through all sources"},
@@ -159,6 +160,12 @@ void visit_columns(WavelengthInNm& nm, Visitor&& column) {
     column(
         ColumnInfo{"power_end_W", "W", "power at its end, after absorption on the way"},
         [](S const& s) { return s.power_end; }, [](S& s, double v) { s.power_end = v; });
+    if (digits_lost)
+        column(
+            ColumnInfo{
+                "digits_lost", "1",
+                "decimal digits of sixteen that rounding has taken from place or direction by its end"},
+            [](S const& s) { return s.digits_lost; }, [](S& s, double v) { s.digits_lost = v; });
 }
 
 } // namespace sahl

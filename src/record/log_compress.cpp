@@ -33,9 +33,9 @@ void compress(LogChunk& chunk) {
     if (!compressor)
         throw std::bad_alloc();
     std::vector<std::byte> shuffled(chunk_rows * sizeof(double));
-    for (std::size_t i = 0; i < column_widths().size(); ++i) {
+    for (std::size_t i = 0; i < column_widths(chunk.rows.digits_lost()).size(); ++i) {
         std::span<std::byte const> const bytes = chunk.rows.column(i);
-        shuffle(bytes, column_widths()[i], shuffled.data());
+        shuffle(bytes, column_widths(chunk.rows.digits_lost())[i], shuffled.data());
         std::vector<std::byte>& out = chunk.compressed.emplace_back();
         out.resize(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
         out.resize(libdeflate_zlib_compress(compressor.get(), shuffled.data(), bytes.size(), out.data(),

@@ -33,11 +33,12 @@ void close_file(Must const& must, Handle& file) {
 
 /// Creates every column in /segments.
 ///   layout(type, name)   the creation properties of a column
-std::vector<Handle> create_columns(Must const& must, hid_t file, hid_t space, auto&& layout) {
+std::vector<Handle> create_columns(Must const& must, hid_t file, hid_t space, bool digits_lost,
+                                   auto&& layout) {
     Handle const group = make_group(must, file, "segments");
     std::vector<Handle> columns;
     WavelengthInNm unused;
-    visit_columns(unused, [&](ColumnInfo info, auto get, auto) {
+    visit_columns(unused, digits_lost, [&](ColumnInfo info, auto get, auto) {
         hid_t const type = type_of<Stored<decltype(get(Segment{}))>>();
         Handle const properties = layout(type, info.name);
         Handle& column = columns.emplace_back(
@@ -60,7 +61,7 @@ LogFile::LogFile(Must const& must, std::filesystem::path path, LogHeader const& 
     write_attribute(must, file_, "first_row", H5T_STD_U64LE, &first_row);
     hsize_t const none = 0, chunk = chunk_rows, unlimited = H5S_UNLIMITED;
     Handle const space(must(H5Screate_simple(1, &none, &unlimited), "describe the columns"), H5Sclose);
-    columns_ = create_columns(must, file_, space, [&](hid_t, char const*) {
+    columns_ = create_columns(must, file_, space, header.digits_lost, [&](hid_t, char const*) {
         Handle layout = timeless(H5P_DATASET_CREATE);
         must(H5Pset_chunk(layout, 1, &chunk), "describe the columns");
         if (options.compress) {
@@ -120,7 +121,7 @@ void write_log_of_shards(Must const& must, std::filesystem::path const& path, Lo
     write_table(must, file, "shards/first_ray", H5T_STD_U64LE, {rows.size()}, first_rays.data(), "");
 
     Handle const space(must(H5Screate_simple(1, &total, nullptr), "describe the columns"), H5Sclose);
-    create_columns(must, file, space, [&](hid_t, char const* name) {
+    create_columns(must, file, space, header.digits_lost, [&](hid_t, char const* name) {
         Handle layout = timeless(H5P_DATASET_CREATE);
         std::string const place = std::string("/segments/") + name;
         hsize_t first = 0;

@@ -19,24 +19,26 @@ struct Layout {
     std::size_t bytes = 0;
 };
 
-Layout const& layout() {
-    static Layout const fixed = [] {
-        Layout made;
-        WavelengthInNm unused;
-        visit_columns(unused, [&](ColumnInfo, auto get, auto) {
-            made.widths.push_back(sizeof(Stored<decltype(get(Segment{}))>));
-            made.starts.push_back(made.bytes);
-            made.bytes += chunk_rows * made.widths.back() + stagger;
-        });
-        return made;
-    }();
-    return fixed;
+Layout made_layout(bool digits_lost) {
+    Layout made;
+    WavelengthInNm unused;
+    visit_columns(unused, digits_lost, [&](ColumnInfo, auto get, auto) {
+        made.widths.push_back(sizeof(Stored<decltype(get(Segment{}))>));
+        made.starts.push_back(made.bytes);
+        made.bytes += chunk_rows * made.widths.back() + stagger;
+    });
+    return made;
+}
+
+Layout const& layout(bool digits_lost) {
+    static Layout const usual = made_layout(false), with_digits = made_layout(true);
+    return digits_lost ? with_digits : usual;
 }
 
 } // namespace
 
-std::span<std::size_t const> column_widths() {
-    return layout().widths;
+std::span<std::size_t const> column_widths(bool digits_lost) {
+    return layout(digits_lost).widths;
 }
 
 std::unique_ptr<std::byte[]> LogMemory::take() {
@@ -48,7 +50,7 @@ std::unique_ptr<std::byte[]> LogMemory::take() {
             return memory;
         }
     }
-    return std::unique_ptr<std::byte[]>(new std::byte[layout().bytes]);
+    return std::unique_ptr<std::byte[]>(new std::byte[layout(digits_lost_).bytes]);
 }
 
 void LogMemory::give_back(std::unique_ptr<std::byte[]> memory) {
@@ -56,7 +58,8 @@ void LogMemory::give_back(std::unique_ptr<std::byte[]> memory) {
     unused_.push_back(std::move(memory));
 }
 
-LogRows::LogRows(std::shared_ptr<LogMemory> memory) : memory_(std::move(memory)), bytes_(memory_->take()) {}
+LogRows::LogRows(std::shared_ptr<LogMemory> memory)
+    : memory_(std::move(memory)), bytes_(memory_->take()), digits_lost_(memory_->digits_lost()) {}
 
 LogRows::~LogRows() {
     if (bytes_)
@@ -64,7 +67,7 @@ LogRows::~LogRows() {
 }
 
 std::byte* LogRows::at(std::size_t column, std::size_t row) const {
-    return bytes_.get() + layout().starts[column] + row * layout().widths[column];
+    return bytes_.get() + layout(digits_lost_).starts[column] + row * layout(digits_lost_).widths[column];
 }
 
 void LogRows::append(std::span<Segment const> segments, WavelengthInNm& nm) {
@@ -72,7 +75,7 @@ void LogRows::append(std::span<Segment const> segments, WavelengthInNm& nm) {
     while (!segments.empty()) {
         auto const block = segments.first(std::min(segments.size(), block_rows));
         std::size_t number = 0;
-        visit_columns(nm, [&](ColumnInfo, auto get, auto) {
+        visit_columns(nm, digits_lost_, [&](ColumnInfo, auto get, auto) {
             using T = Stored<decltype(get(Segment{}))>;
             std::byte* place = at(number++, size_);
             for (Segment const& segment : block) {
@@ -88,18 +91,18 @@ void LogRows::append(std::span<Segment const> segments, WavelengthInNm& nm) {
 
 void LogRows::append(LogRows const& others, std::size_t first, std::size_t count) {
     assert(count <= room() && first + count <= others.size());
-    for (std::size_t column = 0; column < layout().widths.size(); ++column)
-        std::memcpy(at(column, size_), others.at(column, first), count * layout().widths[column]);
+    for (std::size_t column = 0; column < layout(digits_lost_).widths.size(); ++column)
+        std::memcpy(at(column, size_), others.at(column, first), count * layout(digits_lost_).widths[column]);
     size_ += count;
 }
 
 std::span<std::byte const> LogRows::column(std::size_t number) const {
-    return {at(number, 0), chunk_rows * layout().widths[number]};
+    return {at(number, 0), chunk_rows * layout(digits_lost_).widths[number]};
 }
 
 void LogRows::zero_the_rest() {
-    for (std::size_t column = 0; column < layout().widths.size(); ++column)
-        std::memset(at(column, size_), 0, room() * layout().widths[column]);
+    for (std::size_t column = 0; column < layout(digits_lost_).widths.size(); ++column)
+        std::memset(at(column, size_), 0, room() * layout(digits_lost_).widths[column]);
 }
 
 } // namespace sahl

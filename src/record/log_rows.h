@@ -16,15 +16,18 @@ inline constexpr std::size_t chunk_rows =
     16384; // 128 KiB of doubles: eight fit the chunk cache of a reader, 1 MiB
 
 /// Bytes of a value, by column.
-std::span<std::size_t const> column_widths();
+std::span<std::size_t const> column_widths(bool digits_lost);
 
 /// Memory for rows, used again and again: to ask the system for fresh pages costs as much as to fill them.
 class LogMemory {
   public:
+    explicit LogMemory(bool digits_lost) : digits_lost_(digits_lost) {}
+    bool digits_lost() const { return digits_lost_; } // rows have that column
     std::unique_ptr<std::byte[]> take();
     void give_back(std::unique_ptr<std::byte[]> memory);
 
   private:
+    bool digits_lost_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<std::byte[]>> unused_;
 };
@@ -45,6 +48,7 @@ class LogRows {
     /// A column's values, chunk_rows of them; those behind size() are zero after zero_the_rest.
     std::span<std::byte const> column(std::size_t number) const;
     void zero_the_rest();
+    bool digits_lost() const { return digits_lost_; } // has that column
 
   private:
     std::byte* at(std::size_t column, std::size_t row) const;
@@ -52,6 +56,7 @@ class LogRows {
     std::shared_ptr<LogMemory> memory_;
     std::unique_ptr<std::byte[]> bytes_;
     std::size_t size_ = 0;
+    bool digits_lost_ = false;
 };
 
 } // namespace sahl

@@ -24,9 +24,10 @@ struct LogHeader {
     std::string options_json;    // what was run, with --set and all options
     std::string experiment_sha256;
     std::uint64_t seed = 0;
-    std::uint64_t every = 1; // rays whose number is a multiple of this are in the log
-    double min_power = 0.0;  // what began with less than this share of its ray's power is not in the log
-    std::string where;       // the filter whose paths are in the log; empty: all
+    std::uint64_t every = 1;  // rays whose number is a multiple of this are in the log
+    bool digits_lost = false; // rows tell them
+    double min_power = 0.0;   // what began with less than this share of its ray's power is not in the log
+    std::string where;        // the filter whose paths are in the log; empty: all
     std::vector<std::string> sources;
     std::vector<double> source_power_W;
     std::vector<std::uint64_t>

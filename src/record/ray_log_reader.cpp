@@ -46,6 +46,11 @@ std::pair<Handle, hsize_t> open_column(Must const& must, hid_t file, char const*
     return {std::move(column), rows};
 }
 
+bool tells_digits_lost(Must const& must, hid_t file) {
+    return must(H5Lexists(file, "segments", H5P_DEFAULT), "look for its columns") > 0 &&
+           must(H5Lexists(file, "segments/digits_lost", H5P_DEFAULT), "look for its columns") > 0;
+}
+
 } // namespace
 
 struct RayLogReader::State {
@@ -56,6 +61,7 @@ struct RayLogReader::State {
         std::uint64_t first_ray = 0;
         Handle file;
         std::vector<Handle> columns; // the first is `ray`
+        bool digits_lost = false;    // the last is that
 
         Part(std::filesystem::path const& path, hsize_t first, hsize_t count = 0, std::uint64_t ray = 0)
             : must{path.string(), remedy_of_reading}, first_row(first), rows(count), first_ray(ray) {}
@@ -81,8 +87,9 @@ struct RayLogReader::State {
 hsize_t RayLogReader::State::Part::open(Handle from) {
     file = std::move(from);
     hsize_t found = 0;
+    digits_lost = tells_digits_lost(must, file);
     WavelengthInNm unused;
-    visit_columns(unused, [&](ColumnInfo info, auto get, auto) {
+    visit_columns(unused, digits_lost, [&](ColumnInfo info, auto get, auto) {
         using T = Stored<decltype(get(Segment{}))>;
         auto [column, length] = open_column(must, file, info.name, type_of<T>());
         if (!columns.empty() && length != found)
@@ -108,7 +115,7 @@ void RayLogReader::State::Part::read_column(hid_t column, hsize_t first, std::ve
 void RayLogReader::State::Part::read(hsize_t first, std::span<Segment> segments) const {
     auto column = columns.begin();
     WavelengthInNm unused;
-    visit_columns(unused, [&](ColumnInfo, auto get, auto set) {
+    visit_columns(unused, digits_lost, [&](ColumnInfo, auto get, auto set) {
         std::vector<Stored<decltype(get(Segment{}))>> values(segments.size());
         read_column(*column++, first, values);
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -120,6 +127,7 @@ void RayLogReader::State::open(std::filesystem::path const& path) {
     Must const must{path.string(), remedy_of_reading};
     Handle file = open_file(must);
     header = read_header(must, file);
+    header.digits_lost = tells_digits_lost(must, file);
     std::vector<LogShard> const shards = read_shards(must, file);
     if (shards.empty())
         rows = parts.emplace_back(path, 0).open(std::move(file));

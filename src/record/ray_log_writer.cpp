@@ -30,7 +30,7 @@ struct RayLogWriter::State {
     hdf5::Must const must;
     LogHeader const header;
     RayLogOptions const options;
-    std::shared_ptr<LogMemory> const memory = std::make_shared<LogMemory>();
+    std::shared_ptr<LogMemory> const memory = std::make_shared<LogMemory>(header.digits_lost);
     LogChunker chunker{memory};
     std::optional<LogFile> open;
     std::vector<LogShard> closed;

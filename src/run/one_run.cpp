@@ -28,6 +28,7 @@ LogHeader log_header(ExperimentSource const& source, Experiment const& experimen
     header.seed = experiment.trace.seed;
     header.every = experiment.log.every;
     header.min_power = experiment.log.min_power;
+    header.digits_lost = experiment.trace.digits_lost;
     header.where = experiment.log.where.text;
     for (SourceSpec const& spec : scene.sources) {
         header.sources.push_back(spec.name);

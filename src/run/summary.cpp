@@ -169,6 +169,33 @@ Value lost_rays(TraceOutcome const& outcome) {
     return of(std::move(array));
 }
 
+/// What rounding left of the paths; null where it was not followed.
+Value digits_lost(Experiment const& experiment, DigitsLost const& digits) {
+    if (!experiment.trace.digits_lost)
+        return nothing();
+    Array segments;
+    for (std::uint64_t const count : digits.segments)
+        segments.push_back(of(count));
+    bool const none = digits.most < 0.0;
+    return of(Table{{"most", none ? nothing() : of(digits.most)},
+                    {"ray", none ? nothing() : of(digits.ray)},
+                    {"depth", none ? nothing() : of(std::uint64_t{digits.depth})},
+                    {"from_mm", none ? nothing() : of(digits.at, 1e3)},
+                    {"segments", of(std::move(segments))}});
+}
+
+/// Paths of which rounding left nothing are where they are by chance.
+std::vector<std::string> warnings_of(Experiment const& experiment, Scene const& scene,
+                                     TraceOutcome const& outcome) {
+    std::vector<std::string> warnings = scene.warnings;
+    std::uint64_t const lost = outcome.digits.segments[DigitsLost::none_left];
+    if (experiment.trace.digits_lost && lost > 0)
+        warnings.push_back(
+            std::to_string(lost) + " of " + std::to_string(outcome.tally.segments()) +
+            " segments had lost all 16 digits: where they went is right as a sample, not one by one");
+    return warnings;
+}
+
 } // namespace
 
 std::vector<std::string> failures_of(Experiment const& experiment, TraceOutcome const& outcome) {
@@ -205,6 +232,7 @@ Value options_of(Experiment const& experiment, RunFacts const& facts) {
                     {"method", of(std::string(name_of(trace.method)))},
                     {"tolerance_rad", of(trace.tolerance)},
                     {"tolerance_power", of(trace.tolerance_power)},
+                    {"digits_lost", of(trace.digits_lost)},
                     {"log", of(experiment.log.on)},
                     {"log_every", of(experiment.log.every)},
                     {"log_min_power", of(experiment.log.min_power)},
@@ -255,7 +283,8 @@ Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTab
         {"detectors", of(std::move(detectors))},
         {"objects", objects(scene)},
         {"models", models_value(scene, false)},
-        {"warnings", of(scene.warnings)},
+        {"digits_lost", digits_lost(experiment, outcome.digits)},
+        {"warnings", of(warnings_of(experiment, scene, outcome))},
     });
 }
 

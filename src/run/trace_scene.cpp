@@ -95,6 +95,7 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
             log->remember(archive.bytes());
         }
         outcome.tally.add(traced->result->tally);
+        outcome.digits.add(traced->result->digits);
         for (DetectorHit const& hit : traced->result->hits)
             outcome.detectors[hit.detector.value].add(hit);
         for (std::size_t i = 0; i < traced->twice.size(); ++i)

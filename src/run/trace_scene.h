@@ -19,6 +19,7 @@ struct TraceOutcome {
     std::uint64_t rays = 0;
     double seconds = 0.0;
     unsigned threads = 1;
+    DigitsLost digits{};       // where the options ask for it
     std::vector<Hole> holes{}; // of meshes that are not closed, with the rays that leaked there
 };
 

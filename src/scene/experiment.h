@@ -138,6 +138,7 @@ struct TraceOptions {
     double tolerance_power = 1e-3; // share
     Polarised polarised = Polarised::automatic;
     std::uint64_t seed = 1;
+    bool digits_lost = false; // each path's loss of digits is followed
 };
 
 struct LogOptions {

@@ -53,6 +53,10 @@ constexpr Key trace_keys[] = {
      above_zero},
     {"polarised", Kind::any, "auto", "\"auto\" or false; true is refused until polarised tracing exists"},
     {"seed", Kind::integer, 1.0, "of all random numbers", {0.0, largest_seed}},
+    {"digits_lost", Kind::truth, false,
+     "true: the summary and the log tell how many of the sixteen digits each path has lost, as rounding "
+     "grows from "
+     "one curved surface to the next"},
     {"log", Kind::truth, false, "true writes rays.h5"},
 };
 

@@ -63,6 +63,7 @@ TraceOptions read_trace(Value const& tree) {
     options.tolerance_power = fields.number("tolerance_power");
     options.polarised = read_polarised(fields);
     options.seed = static_cast<std::uint64_t>(fields.integer("seed"));
+    options.digits_lost = fields.truth("digits_lost");
     return options;
 }
 

@@ -28,6 +28,7 @@ struct Segment {
     double length = 0.0;                       // m, inf if it escapes
     double optical_path = 0.0;                 // m, from the source to its end; inf if it escapes
     double power_start = 0.0, power_end = 0.0; // W, before and after absorption on the way
+    double digits_lost = 0.0;                  // at its end, where that is followed
 };
 
 /// Takes the segments of rays with consecutive numbers, portion by portion in the order of the log: by ray,

@@ -19,18 +19,33 @@ bool finite(dvec3 const& v) {
     return std::isfinite(v.x + v.y + v.z);
 }
 
+double largest_coordinate(dvec3 const& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// The largest coordinate of what is bounded; a metre where nothing is.
+double extent_of(Bvh const& bvh) {
+    auto const [low, high] = bvh.bounds();
+    double const extent = std::max(largest_coordinate(low), largest_coordinate(high));
+    return std::isfinite(extent) ? extent : 1.0;
+}
+
 /// The trees of a group of rays, grown breadth first.
 class Grove {
   public:
     Grove(TraceContext const& context, BatchResult& result, SegmentSink& log)
         : context_(context), result_(result), log_(log),
-          seed_(context.again ? seed_again(context.options.seed) : context.options.seed) {}
+          seed_(context.again ? seed_again(context.options.seed) : context.options.seed) {
+        if (context.options.digits_lost)
+            extent_ = extent_of(*context.scene.bvh);
+    }
 
     void grow(std::uint64_t first, std::uint32_t count);
 
   private:
     void plant(std::uint64_t first, std::uint32_t count);
     void trace(Branch const& branch);
+    void follow_rounding(Branch const& branch, Interface const& interface);
     Event cut_or_none(Branch const& branch) const;
     double attenuate(Branch const& branch, Interface const& interface);
     void keep(Branch const& branch, DetectorHit const& hit);
@@ -55,9 +70,13 @@ class Grove {
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
     std::vector<Branch> generation_, next_generation_;
-    std::vector<Segment> segments_, by_ray_;  // as they end; as the log has them
-    std::vector<std::size_t> place_;          // by ray: where its segments end in by_ray_
-    std::vector<std::uint32_t> hit_segments_; // of each hit of this group: where its path ends
+    std::vector<Spread> spreads_, next_spreads_; // of the same, where digits lost are asked for
+    Spread spread_;                              // at the end of the segment that is traced now
+    double extent_ = 0.0;                        // m, the scene's largest coordinate, then too
+    Bend bend_;                                  // where it ends
+    std::vector<Segment> segments_, by_ray_;     // as they end; as the log has them
+    std::vector<std::size_t> place_;             // by ray: where its segments end in by_ray_
+    std::vector<std::uint32_t> hit_segments_;    // of each hit of this group: where its path ends
     std::vector<Segment> selected_;
 };
 
@@ -69,6 +88,8 @@ void Grove::grow(std::uint64_t first, std::uint32_t count) {
             trace(branch);
         std::swap(generation_, next_generation_);
         next_generation_.clear();
+        std::swap(spreads_, next_spreads_);
+        next_spreads_.clear();
     }
     if (!segments_.empty())
         order_by_ray();
@@ -139,6 +160,7 @@ void Grove::plant(std::uint64_t first, std::uint32_t count) {
     rays_.clear();
     next_index_.assign(count, 0);
     generation_.clear();
+    spreads_.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
         Ray const ray = context_.emission.ray(first + i, context_.again);
         rays_.push_back(ray);
@@ -159,6 +181,8 @@ void Grove::plant(std::uint64_t first, std::uint32_t count) {
         root.body = body_at(context_.scene, root.inside);
         root.medium = medium_of(context_.scene, root.body);
         generation_.push_back(root);
+        if (context_.options.digits_lost)
+            spreads_.emplace_back(std::max(extent_, largest_coordinate(ray.origin)));
     }
 }
 
@@ -173,7 +197,22 @@ Event Grove::cut_or_none(Branch const& branch) const {
                                                                                : Event::none;
 }
 
+/// Where digits lost are asked for, carries the branch's rounding to the end of its segment.
+void Grove::follow_rounding(Branch const& branch, Interface const& interface) {
+    std::uint32_t const object = context_.scene.faces[interface.face.value].body.value;
+    spread_.go(interface.t, branch.direction, interface.facet_normal);
+    WavelengthId const wavelength = rays_[branch.ray].wavelength;
+    bend_ = {interface.normal,
+             context_.scene.bvh->turning(object, interface.face, interface.primitive, interface.point,
+                                         interface.normal),
+             context_.optics.index(branch.medium, wavelength),
+             context_.optics.index(interface.medium_after, wavelength)};
+}
+
 void Grove::trace(Branch const& branch) {
+    bool const follows = context_.options.digits_lost;
+    if (follows)
+        spread_ = spreads_[static_cast<std::size_t>(&branch - generation_.data())];
     if (Event const fate = cut_or_none(branch); fate != Event::none) {
         if (fate == Event::invalid)
             return lose(branch, fate, branch.power, 0.0);
@@ -196,6 +235,8 @@ void Grove::trace(Branch const& branch) {
             detect_escape(branch, sphere);
         return end(branch, Event::escaped, branch.power, INFINITY, INFINITY, nullptr);
     }
+    if (follows)
+        follow_rounding(branch, interface);
     double const optical_path =
         branch.optical_path + context_.optics.index(branch.medium, wavelength) * interface.t;
     double const power = attenuate(branch, interface);
@@ -330,6 +371,8 @@ void Grove::push_children(Branch const& branch, Interface const& interface, Bran
         child.fate = outgoing.fate;
         child.inside = outgoing.crosses ? interface.inside_after : interface.inside_before;
         child.left = interface.left_by(outgoing.crosses);
+        if (context_.options.digits_lost)
+            next_spreads_.emplace_back(spread_).turn(branch.direction, bend_, outgoing.event);
     }
 }
 
@@ -346,6 +389,8 @@ void Grove::pass_on(Branch const& branch, Interface const& interface, double pow
     child.body = interface.body_after;
     child.inside = interface.inside_after;
     child.left = interface.left_by(true);
+    if (context_.options.digits_lost)
+        next_spreads_.emplace_back(spread_).turn(branch.direction, bend_, Event::passed);
 }
 
 void Grove::lose(Branch const& branch, Event event, double power, double t) {
@@ -360,6 +405,9 @@ void Grove::end(Branch const& branch, Event ended, double power, double length, 
     ++result_.tally.ended[static_cast<std::size_t>(ended)];
     std::uint32_t const index = next_index_[branch.ray]++;
     std::uint64_t const number = first_ + branch.ray;
+    double const digits_lost = context_.options.digits_lost ? spread_.digits_lost() : 0.0;
+    if (context_.options.digits_lost)
+        result_.digits.count(digits_lost, number, branch.depth, branch.origin);
     Ray const& ray = rays_[branch.ray];
     PathFilters const* const filters = context_.filters;
     bool const logged = context_.log_every != 0 && number % context_.log_every == 0 &&
@@ -384,6 +432,7 @@ void Grove::end(Branch const& branch, Event ended, double power, double length, 
     segment.optical_path = optical_path;
     segment.power_start = branch.power;
     segment.power_end = power;
+    segment.digits_lost = digits_lost;
 }
 
 } // namespace
@@ -412,6 +461,7 @@ BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::u
                         SegmentSink* sink) {
     BatchResult result{Tally(context.unit, context.scene.bodies.size(), context.scene.faces.size(),
                              context.optics.wavelengths().size()),
+                       {},
                        {},
                        {},
                        {}};

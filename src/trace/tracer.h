@@ -6,6 +6,7 @@
 #include "trace/path_filter.h"
 #include "trace/segment.h"
 #include "trace/sources.h"
+#include "trace/spread.h"
 #include "trace/tally.h"
 #include "trace/wavelengths.h"
 
@@ -42,7 +43,8 @@ struct BatchResult {
     Tally tally;
     std::vector<DetectorHit> hits; // by ray, then in the order of the tree
     std::vector<LostRay> lost;
-    SegmentBatch log; // empty unless asked for, or where a sink took the segments
+    DigitsLost digits; // counted where the options ask for it
+    SegmentBatch log;  // empty unless asked for, or where a sink took the segments
 };
 
 /// Which paths are logged, and by detector which count; none: all.

@@ -52,6 +52,35 @@ TEST_CASE("every column of every row comes back from the ray log, across chunks"
     CHECK_FALSE(std::filesystem::exists(folder.path / "rays.h5.tmp"));
 }
 
+TEST_CASE("digits lost are a column of the ray log where they were followed, and only there") {
+    sample::Folder const folder;
+    auto rows = sample::rows(20000);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].digits_lost = 0.001 * static_cast<double>(i);
+    LogHeader header = sample::header();
+    for (bool const with : {false, true})
+        for (bool const many : {false, true}) {
+            CAPTURE(with, many);
+            header.digits_lost = with;
+            RayLogOptions options;
+            options.compress = with;
+            options.shard_rows = many ? chunk_rows : options.shard_rows;
+            std::string const name = std::string(with ? "with" : "without") + (many ? "-shards.h5" : ".h5");
+            RayLogWriter log(folder.path / name, header, options);
+            log.append(rows);
+            log.close();
+            RayLogReader const back(folder.path / name);
+            CHECK(back.header().digits_lost == with);
+            auto const read = back.read(0, UINT64_MAX);
+            REQUIRE(read.size() == rows.size());
+            std::size_t different = 0;
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                different +=
+                    !same(rows[i], read[i]) || read[i].digits_lost != (with ? rows[i].digits_lost : 0.0);
+            CHECK(different == 0);
+        }
+}
+
 TEST_CASE("the header comes back from the ray log") {
     sample::Folder const folder;
     sample::write(folder, {});
