@@ -19,5 +19,7 @@ void add_endless_cases(std::vector<TortureCase>& cases,
                        std::uint64_t variant); // pipes, galleries, corner cubes
 void add_extreme_cases(std::vector<TortureCase>& cases,
                        std::uint64_t variant); // thin, far, of all scales, born there
+void add_mixed_cases(std::vector<TortureCase>& cases,
+                     std::uint64_t variant); // meshes and exact shapes in one scene
 
 } // namespace sahl::bench

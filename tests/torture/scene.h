@@ -37,7 +37,7 @@ struct TortureRay {
 enum class Rule { straight, transmit, reflect, either };
 
 struct TortureCase {
-    std::string name, of;        // "exact" or "mesh"
+    std::string name, of;        // "exact", "mesh" or "mixed"
     std::vector<double> indices; // by medium; the first is that of the surroundings
     std::vector<TorturePart> parts;
     std::function<TortureRay(Dice&, std::uint64_t)> ray;
