@@ -73,10 +73,11 @@ struct Columns {
              std::variant<std::vector<std::uint64_t>, std::vector<std::uint32_t>, std::vector<std::int32_t>,
                           std::vector<std::uint16_t>, std::vector<std::uint8_t>, std::vector<double>>>
         by_name;
+    bool digits_lost = false; // it has that column
     WavelengthInNm nm;
 
     void add(std::span<Segment const> rows) {
-        visit_columns(nm, [&](ColumnInfo info, auto get, auto) {
+        visit_columns(nm, digits_lost, [&](ColumnInfo info, auto get, auto) {
             using Column = std::vector<Stored<decltype(get(Segment{}))>>;
             auto& column = std::get<Column>(by_name.try_emplace(info.name, Column()).first->second);
             for (Segment const& row : rows)
@@ -97,6 +98,7 @@ Log read_log(fs::path const& path, std::string const& where) {
         header = reader.header();
         auto const filter = log_filter(header, where, "where");
         Columns read;
+        read.digits_lost = header.digits_lost;
         read.add({}); // all are there, also of an empty log
         read_rays(reader, filter ? &*filter : nullptr, [&](std::span<Segment const> ray) {
             look();

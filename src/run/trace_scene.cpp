@@ -62,7 +62,7 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
     std::uint64_t const batches = (emission.rays() + rays_per_batch - 1) / rays_per_batch;
     std::uint64_t next_batch = 0, rays_done = 0;
     auto const known_so_far = [&](auto& archive) { // of the rays that are done
-        archive(rays_done, outcome.tally, outcome.lost, holes_sought, outcome.holes);
+        archive(rays_done, outcome.tally, outcome.digits, outcome.lost, holes_sought, outcome.holes);
         for (DetectorRecord& detector : outcome.detectors)
             archive(detector);
     };
