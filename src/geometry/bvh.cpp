@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <tuple>
 
 namespace sahl {
@@ -217,6 +218,25 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         for (std::size_t i = 0; i < count; ++i)
             if (!(asked >> i & 1u) && !slabs.misses(state.objects[state.bounded[i]].box, from, horizon))
                 ask(state.bounded[i]);
+    }
+
+    // a ray that starts closer to a face than float tells, and comes to it at a slope that float does not
+    // tell either: what touches there may not have been proposed
+    for (std::size_t i = 0, count = candidates.size(); i < count; ++i) {
+        std::span<std::uint32_t const> const touching = state.touch.at(candidates[i]);
+        Candidate const& found = candidates[i];
+        if (touching.empty() || !state.objects[found.object].grazes(found, origin, direction))
+            continue;
+        for (std::uint32_t const other : touching) {
+            bool const known = std::any_of(candidates.begin(), candidates.end(),
+                                           [&](Candidate const& c) { return c.object == other; });
+            Candidate second;
+            if (!known)
+                state.objects[other].next_exact(origin, direction, inside, {from, horizon}, second);
+            second.object = other;
+            if (second.t < INFINITY)
+                take(second);
+        }
     }
 
     NextHit hit;

@@ -186,6 +186,18 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
         met_by);
 }
 
+void Placed::next_exact(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
+                        Candidate& found) const {
+    Tree const* const tree = std::get_if<Tree>(&met_by);
+    if (!tree)
+        return;
+    LocalRay const ray = local(origin, direction);
+    MeshAnswer const answer =
+        (*tree)->next_exact(ray.origin, ray.direction, {inside, geometry.first_shell}, reach, ray.rounding);
+    if (answer.crossing)
+        found = candidate(*answer.crossing, ray);
+}
+
 ShellSet Placed::after(Candidate const& candidate, ShellSet const& inside) const {
     ShellId shell = geometry.first_shell;
     if (Tree const* const tree = std::get_if<Tree>(&met_by))

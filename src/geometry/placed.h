@@ -55,6 +55,16 @@ struct Placed {
     double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
                 std::optional<bool> above, Candidate& found) const;
 
+    /// Is it met at a slope so small that float does not tell its sign?
+    bool grazes(Candidate const& found, dvec3 const& origin, dvec3 const& direction) const {
+        LocalRay const ray = local(origin, direction);
+        return found.blur * length(ray.direction) * TriangleTree::sure_slope > ray.rounding;
+    }
+
+    /// What next() writes, of a closed mesh from its boxes in double; others leave `found` as it is.
+    void next_exact(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
+                    Candidate& found) const;
+
     /// The shells that a ray is in behind a crossing of this object.
     ShellSet after(Candidate const& candidate, ShellSet const& inside) const;
 

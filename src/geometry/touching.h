@@ -23,6 +23,16 @@ class Touching {
         return has(one, other.object) && has(other, one.object);
     }
 
+    /// The objects that touch where the crossing lies.
+    std::span<std::uint32_t const> at(Candidate const& crossing) const {
+        auto const& sets = set_of_part_[crossing.object];
+        if (sets.empty())
+            return {};
+        auto const part =
+            crossing.primitive < 0 ? crossing.face : static_cast<std::uint32_t>(crossing.primitive);
+        return sets_[sets[part]];
+    }
+
     /// Does anything of one object touch anything of the other?
     bool objects(std::uint32_t one, std::uint32_t other) const {
         return std::binary_search(objects_.begin(), objects_.end(),
@@ -49,13 +59,9 @@ class Touching {
     };
     struct Search;
 
-    bool has(Candidate const& at, std::uint32_t other) const {
-        auto const& sets = set_of_part_[at.object];
-        if (sets.empty())
-            return false;
-        auto const part = at.primitive < 0 ? at.face : static_cast<std::uint32_t>(at.primitive);
-        auto const& set = sets_[sets[part]];
-        return std::find(set.begin(), set.end(), other) != set.end();
+    bool has(Candidate const& crossing, std::uint32_t other) const {
+        auto const touching = at(crossing);
+        return std::find(touching.begin(), touching.end(), other) != touching.end();
     }
 
     // by object, by face of an exact shape or triangle of a mesh: which objects it touches, as a number in
