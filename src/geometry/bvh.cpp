@@ -65,16 +65,26 @@ struct Slabs {
 Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std::make_unique<State>()) {
     MeshStore own; // instances share what is made of a mesh
     MeshStore& made = store ? *store : own;
-    for (PlacedGeometry& geometry : geometries) {
-        std::shared_ptr<MeshTree const> tree;
-        std::shared_ptr<MeshSheet const> sheet;
-        if (auto const* const mesh = std::get_if<std::shared_ptr<Mesh const>>(&geometry.geometry)) {
-            if (geometry.open)
-                sheet = made.sheet(*mesh);
-            else
-                tree = made.tree(*mesh);
+    std::map<std::pair<Mesh const*, Curving>, std::shared_ptr<CurvedTree const>> curved;
+    auto const meeting = [&](PlacedGeometry const& geometry) {
+        MeshMeeting by;
+        auto const* const mesh = std::get_if<std::shared_ptr<Mesh const>>(&geometry.geometry);
+        if (mesh && geometry.open)
+            by.sheet = made.sheet(*mesh);
+        else if (mesh && geometry.curving == Curving::none)
+            by.tree = made.tree(*mesh);
+        else if (mesh) {
+            auto& one = curved[{mesh->get(), geometry.curving}];
+            if (!one)
+                one = std::make_shared<CurvedTree const>(
+                    *mesh, geometry.curving == Curving::quadratic ? PatchKind::quadratic : PatchKind::fitted);
+            by.curved = one;
         }
-        state_->objects.push_back(place(std::move(geometry), std::move(tree), std::move(sheet)));
+        return by;
+    };
+    for (PlacedGeometry& geometry : geometries) {
+        MeshMeeting by = meeting(geometry);
+        state_->objects.push_back(place(std::move(geometry), std::move(by)));
         Placed const& placed = state_->objects.back();
         auto& list = placed.bounded ? state_->bounded : state_->unbounded;
         list.push_back(static_cast<std::uint32_t>(state_->objects.size() - 1));
@@ -85,13 +95,29 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
             Placed& object = state_->objects[flush.object];
             PlacedGeometry geometry = object.geometry;
             geometry.geometry = flush.mesh;
-            bool const open = geometry.open;
-            object = place(std::move(geometry), open ? nullptr : std::make_shared<MeshTree const>(flush.mesh),
-                           open ? std::make_shared<MeshSheet const>(flush.mesh) : nullptr);
+            MeshMeeting by = meeting(geometry);
+            object = place(std::move(geometry), std::move(by));
             state_->made_flush.push_back({flush.object, flush.farthest});
         }
         state_->touch = Touching(state_->objects);
     }
+    // a mesh that touches nothing may be met as the exact solid that it stands for; one that does is cemented
+    // to what has the same vertices
+    bool some_recognised = false;
+    for (std::uint32_t i = 0; i < state_->objects.size(); ++i) {
+        Placed& object = state_->objects[i];
+        bool touches = object.geometry.curving != Curving::recognised;
+        for (std::uint32_t other = 0; !touches && other < state_->objects.size(); ++other)
+            touches = state_->touch.objects(i, other);
+        if (touches)
+            continue;
+        if (auto exact = recognised(object)) {
+            object = std::move(*exact);
+            some_recognised = true;
+        }
+    }
+    if (some_recognised)
+        state_->touch = Touching(state_->objects);
     if (state_->bounded.size() > few) {
         std::vector<Bounds> boxes;
         for (std::uint32_t object : state_->bounded)
@@ -336,6 +362,12 @@ std::vector<std::pair<FaceId, FaceId>> const& Bvh::contacts() const {
 
 std::vector<Bvh::Tangency> const& Bvh::tangencies() const {
     return state_->touch.tangencies();
+}
+
+Curving Bvh::curving(std::uint32_t object) const {
+    Placed const& placed = state_->objects[object];
+    Curving const asked = placed.geometry.curving;
+    return asked == Curving::recognised && placed.face_of_region.empty() ? Curving::fitted : asked;
 }
 
 std::vector<Bvh::MadeFlush> const& Bvh::made_flush() const {

@@ -18,6 +18,9 @@
 
 namespace sahl {
 
+/// How a closed mesh stands for a curved surface, beyond its triangles and their corners' normals.
+enum class Curving : std::uint8_t { none, quadratic, fitted, recognised };
+
 struct PlacedGeometry {
     std::variant<Shape, std::shared_ptr<Mesh const>> geometry;
     Affine to_world;
@@ -27,6 +30,7 @@ struct PlacedGeometry {
     bool interpolate =
         false;         // a mesh's normals are those of its vertices, weighted, not those of its triangles
     bool open = false; // a mesh as a surface without an inside; it has no shells
+    Curving curving = Curving::none;
 };
 
 struct Crossing {
@@ -114,6 +118,9 @@ class Bvh {
         dvec3 at;
     };
     std::vector<Tangency> const& tangencies() const;
+    /// How a mesh is met: what was not recognised, or touches something, is fitted.
+    Curving curving(std::uint32_t object) const;
+
     /// Meshes of float data whose vertices were moved onto what they touch, by no more than that data's
     /// rounding (m, world).
     struct MadeFlush {

@@ -1,5 +1,6 @@
 #include "geometry/placed.h"
 
+#include "geometry/recognise.h"
 #include "math/overloaded.h"
 
 #include <limits>
@@ -11,6 +12,7 @@ namespace {
 using Tree = std::shared_ptr<MeshTree const>;
 using Sheet = std::shared_ptr<MeshSheet const>;
 using Curved = std::shared_ptr<RevolvedSheet const>;
+using Patches = std::shared_ptr<CurvedTree const>;
 
 /// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the
 /// world and back, and solving for t, round some ten times each; the rest is margin.
@@ -46,16 +48,20 @@ std::pair<dvec3, dvec3> sheet_box(Shape const& sheet) {
 
 } // namespace
 
-Placed place(PlacedGeometry geometry, Tree tree, Sheet sheet) {
+Placed place(PlacedGeometry geometry, MeshMeeting by) {
     Affine const to_world = geometry.to_world;
     std::pair<dvec3, dvec3> box;
     auto met_by = [&]() -> decltype(Placed::met_by) {
-        if (tree || sheet) {
-            Mesh const& mesh = tree ? tree->mesh() : sheet->mesh();
+        if (by.curved) {
+            box = {by.curved->box().low, by.curved->box().high};
+            return by.curved;
+        }
+        if (by.tree || by.sheet) {
+            Mesh const& mesh = by.tree ? by.tree->mesh() : by.sheet->mesh();
             box = {mesh.low, mesh.high};
-            if (tree)
-                return tree;
-            return sheet;
+            if (by.tree)
+                return by.tree;
+            return by.sheet;
         }
         Shape const& shape = std::get<Shape>(geometry.geometry);
         if (auto const* const mirror = std::get_if<ConicMirror>(&shape)) {
@@ -76,6 +82,7 @@ Placed place(PlacedGeometry geometry, Tree tree, Sheet sheet) {
     }();
     Placed placed{std::move(geometry),
                   std::move(met_by),
+                  {},
                   inverse(to_world),
                   !(to_world == Affine{}),
                   0.0,
@@ -88,6 +95,17 @@ Placed place(PlacedGeometry geometry, Tree tree, Sheet sheet) {
     if (placed.bounded)
         placed.box = world_box(box.first, box.second, to_world);
     return placed;
+}
+
+std::optional<Placed> recognised(Placed const& placed) {
+    Patches const* const patches = std::get_if<Patches>(&placed.met_by);
+    auto found = patches ? recognise((*patches)->fans()) : std::nullopt;
+    if (!found)
+        return std::nullopt;
+    Placed as_solid = placed;
+    as_solid.met_by = std::move(found->solid);
+    as_solid.face_of_region = std::move(found->face_of_region);
+    return as_solid;
 }
 
 Placed::LocalRay Placed::local(dvec3 const& origin, dvec3 const& direction) const {
@@ -169,6 +187,27 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 }
                 return INFINITY + 0.0;
             },
+            [&](Patches const& patches) {
+                CurvedAnswer const answer = patches->next(
+                    ray.origin, ray.direction, {inside, geometry.first_shell}, reach, ray.rounding);
+                if (auto const& c = answer.crossing) {
+                    double const blur = patches->blur(ray.rounding);
+                    found = Candidate{c->t,
+                                      c->slope > 0.0 ? std::max(blur / c->slope, least_blur(ray)) : INFINITY,
+                                      0,
+                                      patches->mesh().face_of(c->triangle),
+                                      static_cast<std::int32_t>(c->triangle),
+                                      c->uv,
+                                      c->normal,
+                                      false,
+                                      c->enters,
+                                      c->recovered,
+                                      false,
+                                      c->point,
+                                      c->geometric};
+                }
+                return answer.contradiction;
+            },
             [&](Sheet const& sheet) {
                 if (auto const m = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
                     found = Candidate{m->t,
@@ -200,8 +239,8 @@ void Placed::next_exact(dvec3 const& origin, dvec3 const& direction, ShellSet co
 
 ShellSet Placed::after(Candidate const& candidate, ShellSet const& inside) const {
     ShellId shell = geometry.first_shell;
-    if (Tree const* const tree = std::get_if<Tree>(&met_by))
-        shell.value += (*tree)->mesh().triangle_shell[static_cast<std::uint32_t>(candidate.primitive)];
+    if (Mesh const* const of_mesh = mesh())
+        shell.value += of_mesh->shell_of(static_cast<std::uint32_t>(candidate.primitive));
     ShellSet changed = inside;
     changed.erase(shell);
     if (candidate.enters)
@@ -213,6 +252,11 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
     LocalRay const ray = local(origin, direction);
     auto const in = [&](std::uint32_t shell) {
         into.fits = into.inside.insert({geometry.first_shell.value + shell}) && into.fits;
+    };
+    auto const in_each = [&](std::vector<bool> const& states) {
+        for (std::uint32_t shell = 0; shell < states.size(); ++shell)
+            if (states[shell])
+                in(shell);
     };
     auto const on = [&](bool above) {
         into.fits = into.fits && !into.on.full();
@@ -237,11 +281,9 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
                 if (solid.inside(ray.origin, ray.direction, 0.0, ray.rounding))
                     in(0);
             },
-            [&](Tree const& tree) {
-                std::vector<bool> const states = tree->inside(ray.origin, ray.direction, ray.rounding);
-                for (std::uint32_t shell = 0; shell < states.size(); ++shell)
-                    if (states[shell])
-                        in(shell);
+            [&](Tree const& tree) { in_each(tree->inside(ray.origin, ray.direction, ray.rounding)); },
+            [&](Patches const& patches) {
+                in_each(patches->inside(ray.origin, ray.direction, ray.rounding));
             },
         },
         met_by);
@@ -285,6 +327,11 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                    },
                    [&](Solid const& solid) { facet = normal = solid.settle(candidate.face, point); },
                    [&](Curved const& curved) { facet = normal = curved->settle(point); },
+                   [&](Patches const&) {
+                       point = candidate.point;
+                       facet = candidate.geometric;
+                       normal = candidate.normal;
+                   },
                    [&](auto const& tree_or_sheet) {
                        auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
                        facet = candidate.normal;
@@ -301,15 +348,15 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                met_by);
     Crossing crossing;
     crossing.t = t;
-    crossing.face = {geometry.first_face.value + candidate.face};
+    crossing.face = {geometry.first_face.value + local_face(candidate.face)};
     crossing.shell = geometry.first_shell;
     crossing.open = candidate.open;
     crossing.detector = geometry.detector;
     crossing.enters = candidate.enters;
     crossing.object = candidate.object;
     crossing.primitive = candidate.primitive;
-    if (Tree const* const tree = std::get_if<Tree>(&met_by))
-        crossing.shell.value += (*tree)->mesh().shell_of(static_cast<std::uint32_t>(candidate.primitive));
+    if (Mesh const* const of_mesh = mesh(); of_mesh && !candidate.open)
+        crossing.shell.value += of_mesh->shell_of(static_cast<std::uint32_t>(candidate.primitive));
     crossing.point = point;
     crossing.normal = normal;
     crossing.facet_normal = facet;
@@ -385,12 +432,16 @@ Mesh const* Placed::mesh() const {
         return &(*tree)->mesh();
     if (Sheet const* const sheet = std::get_if<Sheet>(&met_by))
         return &(*sheet)->mesh();
+    if (Patches const* const patches = std::get_if<Patches>(&met_by))
+        return &(*patches)->mesh();
     return nullptr;
 }
 
 std::uint32_t Placed::face_count() const {
     if (Mesh const* const of_mesh = mesh())
         return static_cast<std::uint32_t>(of_mesh->soup.face_names.size());
+    if (!face_of_region.empty())
+        return static_cast<std::uint32_t>(face_of_region.size());
     return static_cast<std::uint32_t>(face_names(std::get<Shape>(geometry.geometry)).size());
 }
 

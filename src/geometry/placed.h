@@ -3,6 +3,7 @@
 
 #include "geometry/bvh.h"
 #include "geometry/contact.h"
+#include "geometry/curved_tree.h"
 #include "geometry/mesh_sheet.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/revolved.h"
@@ -26,14 +27,17 @@ struct Candidate {
     bool enters = false;
     bool recovered = false;   // met by a line that misses it by no more than rounding
     bool well_within = false; // a triangle, far from its border
+    // of a curved mesh: local, where it is met, and the surface's own normal; `normal` is that for light
+    dvec3 point{0.0}, geometric{0.0};
 };
 
 struct Placed {
     PlacedGeometry geometry;
     std::variant<Shape, Solid, std::shared_ptr<MeshTree const>, std::shared_ptr<MeshSheet const>,
-                 std::shared_ptr<RevolvedSheet const>>
-        met_by; // a Shape here is open and flat
-    Affine to_local;
+                 std::shared_ptr<RevolvedSheet const>, std::shared_ptr<CurvedTree const>>
+        met_by;                                  // a Shape here is open and flat
+    std::vector<std::uint32_t> face_of_region{}; // of a mesh recognised as a solid: its faces, of the mesh's
+    Affine to_local{};
     bool moved = false;    // to_world is not the identity
     double rounding = 0.0; // m, local: at a start near the geometry's own origin; grows with distance
     double extent = 0.0;   // m, local: how far it reaches from its origin; ∞ for a plane
@@ -82,13 +86,26 @@ struct Placed {
     /// See Bvh::turning; the face by its local number.
     dmat3 turning(std::uint32_t face, std::int32_t primitive, dvec3 const& point, dvec3 const& normal) const;
 
-    std::uint32_t face_count() const;
+    std::uint32_t face_count() const; // of what it is met as
+    /// The number of such a face among those of the geometry.
+    std::uint32_t local_face(std::uint32_t face) const {
+        return face_of_region.empty() ? face : face_of_region[face];
+    }
     Carriers carriers(std::uint32_t face) const; // of an exact shape
     Mesh const* mesh() const;                    // none: an exact shape
     bool exact() const { return !mesh(); }
 };
 
-Placed place(PlacedGeometry geometry, std::shared_ptr<MeshTree const> tree,
-             std::shared_ptr<MeshSheet const> sheet);
+/// What meets a mesh: one of these.
+struct MeshMeeting {
+    std::shared_ptr<MeshTree const> tree{};
+    std::shared_ptr<MeshSheet const> sheet{};
+    std::shared_ptr<CurvedTree const> curved{};
+};
+
+Placed place(PlacedGeometry geometry, MeshMeeting mesh);
+
+/// The same place met as the solid that its mesh was recognised as, if it was.
+std::optional<Placed> recognised(Placed const& placed);
 
 } // namespace sahl

@@ -36,6 +36,13 @@ Region with(Quadric const* quadric, dvec3 const& origin) {
     return region;
 }
 
+/// Of which each line has one chord at the most.
+bool all_convex(InlineVector<Region, 6> const& regions) {
+    return std::none_of(regions.begin(), regions.end(), [](Region const& r) {
+        return r.kind == Kind::dome || r.kind == Kind::bowl || has_own_chords(r);
+    });
+}
+
 } // namespace
 
 Solid::Solid(Shape const& shape) {
@@ -126,9 +133,15 @@ Solid::Solid(Shape const& shape) {
             [](auto const&) { assert(false && "an open shape is not a solid"); },
         },
         shape);
-    convex_ = std::none_of(regions_.begin(), regions_.end(), [](Region const& r) {
-        return r.kind == Kind::dome || r.kind == Kind::bowl || has_own_chords(r);
-    });
+    convex_ = all_convex(regions_);
+}
+
+Solid::Solid(std::span<Region const> regions, std::vector<std::shared_ptr<Quadric const>> quadrics,
+             dvec3 const& low, dvec3 const& high)
+    : kept_(quadrics.begin(), quadrics.end()), low_(low), high_(high) {
+    for (Region const& region : regions)
+        regions_.push_back(region);
+    convex_ = all_convex(regions_);
 }
 
 RevolvedSheet const* Solid::keep(RevolvedSheet sheet) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sahl {
@@ -50,6 +51,9 @@ class Solid {
   public:
     /// The shape must be closed and without shape_problem().
     explicit Solid(Shape const& shape);
+    /// What lies in all of up to six regions, which is no more than what lies between `low` and `high`.
+    Solid(std::span<Region const> regions, std::vector<std::shared_ptr<Quadric const>> quadrics,
+          dvec3 const& low, dvec3 const& high);
 
     /// The next crossing from `from` on for a ray that is inside (or not): a crossing out of (into) the
     /// solid.

@@ -102,7 +102,7 @@ struct Surveyor {
     std::uint32_t following = 0; // lines along which faces are no farther apart than their facets
 
     FaceId face_id(Candidate const& at) const {
-        return {objects[at.object].geometry.first_face.value + at.face};
+        return {objects[at.object].geometry.first_face.value + objects[at.object].local_face(at.face)};
     }
     void take_overlap(Way const& one, Way const& other, dvec3 const& origin, dvec3 const& direction) const {
         for (std::size_t i = 0; i + 1 < one.size(); ++i)

@@ -78,7 +78,7 @@ struct Touching::Search {
         return known->second;
     }
     FaceId face_id(std::uint32_t object, std::uint32_t face) const {
-        return {objects[object].geometry.first_face.value + face};
+        return {objects[object].geometry.first_face.value + objects[object].local_face(face)};
     }
     void add(std::uint32_t i, std::uint32_t part, std::uint32_t j, std::uint32_t other_part) {
         parts.push_back({i, part, j});

@@ -193,9 +193,23 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
 }
 
 Method object_method(Mesh const& mesh, Method asked) {
-    if (asked == Method::automatic)
-        return mesh.soup.normals.empty() ? Method::facet : Method::interpolated;
-    return asked == Method::interpolated && mesh.soup.normals.empty() ? Method::facet : asked;
+    Method const by_normals = mesh.soup.normals.empty() ? Method::facet : Method::interpolated;
+    if (asked == Method::facet || (curving_of(asked) != Curving::none && mesh.closed()))
+        return asked;
+    return by_normals;
+}
+
+Curving curving_of(Method method) {
+    switch (method) {
+    case Method::quadratic:
+        return Curving::quadratic;
+    case Method::fitted:
+        return Curving::fitted;
+    case Method::recognised:
+        return Curving::recognised;
+    default:
+        return Curving::none;
+    }
 }
 
 } // namespace sahl

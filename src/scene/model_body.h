@@ -32,7 +32,11 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
                                 std::shared_ptr<Model const> const& model, std::size_t mesh,
                                 MaterialBook& materials);
 
-/// Interpolated where the mesh has normals, unless the experiment asks for one method.
+/// Interpolated where the mesh has normals, unless the experiment asks for one method. A curved surface is
+/// that of a closed mesh: of another the vertices' normals are taken.
 Method object_method(Mesh const& mesh, Method asked);
+
+/// How the geometry meets a mesh that is traced by this method.
+Curving curving_of(Method method);
 
 } // namespace sahl

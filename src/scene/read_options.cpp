@@ -34,17 +34,12 @@ Polarised read_polarised(Fields const& fields) {
 }
 
 Method read_method(Fields const& fields) {
-    auto const method = fields.choice<Method>("method", {{"auto", Method::automatic},
-                                                         {"facet", Method::facet},
-                                                         {"interpolated", Method::interpolated},
-                                                         {"quadratic", Method::quadratic},
-                                                         {"fitted", Method::fitted},
-                                                         {"recognised", Method::recognised}});
-    if (method == Method::quadratic || method == Method::fitted || method == Method::recognised)
-        throw InputError(fields.place("method").text(),
-                         "this version traces facet and interpolated, not " + fields.text("method"),
-                         "give \"auto\", \"facet\" or \"interpolated\"");
-    return method;
+    return fields.choice<Method>("method", {{"auto", Method::automatic},
+                                            {"facet", Method::facet},
+                                            {"interpolated", Method::interpolated},
+                                            {"quadratic", Method::quadratic},
+                                            {"fitted", Method::fitted},
+                                            {"recognised", Method::recognised}});
 }
 
 } // namespace

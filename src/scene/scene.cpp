@@ -128,8 +128,8 @@ void Builder::add_part(ObjectSpec const& object, ModelPart const& part, Affine c
     Mesh const& mesh = *part.mesh;
     ObjectId const body = next_body();
     Method const method = object_method(mesh, scene.mesh_method);
-    geometries.push_back(
-        {part.mesh, to_world, next_face(), next_shell(), false, method == Method::interpolated, part.open});
+    geometries.push_back({part.mesh, to_world, next_face(), next_shell(), false,
+                          method == Method::interpolated, part.open, curving_of(method)});
     scene.bodies.push_back({name,
                             part.open,
                             part.medium.value_or(scene.surroundings),
@@ -167,6 +167,9 @@ Scene build_scene(Experiment const& experiment, ModelCache* cache) {
         builder.add_detector(experiment.detectors[i], {i});
     scene.meshes = builder.models.store();
     scene.bvh = std::make_unique<Bvh const>(std::move(builder.geometries), scene.meshes.get());
+    for (std::uint32_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].method == Method::recognised && scene.bvh->curving(i) == Curving::fitted)
+            scene.bodies[i].method = Method::fitted;
     for (std::string& warning : overlap_warnings(scene))
         scene.warnings.push_back(std::move(warning));
     return std::move(builder.scene);

@@ -101,7 +101,7 @@ TEST_CASE("meshes of like size that are there once share a tree", "[geometry]") 
     Meshes const meshes = doublet_and_others();
     auto const placed = [&](std::size_t k, double scale) {
         PlacedGeometry geometry{meshes[k], {dmat3(scale), dvec3(0.0)}, {0}, {0}, false, false};
-        return place(std::move(geometry), std::make_shared<MeshTree const>(meshes[k]), nullptr);
+        return place(std::move(geometry), MeshMeeting{std::make_shared<MeshTree const>(meshes[k])});
     };
     std::vector<Placed> const alike{placed(0, 1.0), placed(1, 1.0)};
     auto const cluster = MeshCluster::of(alike);
