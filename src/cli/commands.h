@@ -10,6 +10,7 @@ namespace sahl {
 
 void add_trace(CLI::App& app, int& status);
 void add_check(CLI::App& app, int& status);
+void add_chart(CLI::App& app, int& status);
 void add_explain(CLI::App& app, int& status);
 void add_paths(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);

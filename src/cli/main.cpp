@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     int status = 0;
     sahl::add_trace(app, status);
     sahl::add_check(app, status);
+    sahl::add_chart(app, status);
     sahl::add_explain(app, status);
     sahl::add_paths(app, status);
     sahl::add_export(app, status);

@@ -121,7 +121,9 @@ void add_trace(CLI::App& app, int& status) {
             bool const good = CLI::detail::lexical_cast(text, value) && value > 0.0;
             return good ? std::string() : "give a number above 0, in rad, and not " + text;
         });
-    command->add_option("--method", arguments->method, "How meshes are met: auto, facet, interpolated, quadratic, fitted, recognised")
+    command
+        ->add_option("--method", arguments->method,
+                     "How meshes are met: auto, facet, interpolated, quadratic, fitted, recognised")
         ->check(CLI::IsMember({"auto", "facet", "interpolated", "quadratic", "fitted", "recognised"}));
     command->add_option("--log", arguments->log, "none, or a file for the log of the rays");
     command->add_flag("--resume", arguments->resume,

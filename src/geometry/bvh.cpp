@@ -3,6 +3,7 @@
 #include "geometry/embree/box_tree.h"
 #include "geometry/mesh_cluster.h"
 #include "geometry/mesh_store.h"
+#include "geometry/pilot_curving.h"
 #include "geometry/placed.h"
 #include "geometry/survey.h"
 #include "geometry/touching.h"
@@ -77,7 +78,9 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
             auto& one = curved[{mesh->get(), geometry.curving}];
             if (!one)
                 one = std::make_shared<CurvedTree const>(
-                    *mesh, geometry.curving == Curving::quadratic ? PatchKind::quadratic : PatchKind::fitted);
+                    *mesh, geometry.curving == Curving::quadratic ? PatchKind::quadratic
+                           : geometry.curving == fitted_apart     ? PatchKind::apart
+                                                                  : PatchKind::fitted);
             by.curved = one;
         }
         return by;
@@ -106,7 +109,7 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
     bool some_recognised = false;
     for (std::uint32_t i = 0; i < state_->objects.size(); ++i) {
         Placed& object = state_->objects[i];
-        bool touches = object.geometry.curving != Curving::recognised;
+        bool touches = !is_recognition(object.geometry.curving);
         for (std::uint32_t other = 0; !touches && other < state_->objects.size(); ++other)
             touches = state_->touch.objects(i, other);
         if (touches)
@@ -367,7 +370,7 @@ std::vector<Bvh::Tangency> const& Bvh::tangencies() const {
 Curving Bvh::curving(std::uint32_t object) const {
     Placed const& placed = state_->objects[object];
     Curving const asked = placed.geometry.curving;
-    return asked == Curving::recognised && placed.face_of_region.empty() ? Curving::fitted : asked;
+    return is_recognition(asked) && placed.face_of_region.empty() ? Curving::fitted : asked;
 }
 
 std::vector<Bvh::MadeFlush> const& Bvh::made_flush() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 namespace sahl {
 
@@ -124,7 +125,7 @@ HeightField const* LazyFields::fit(std::uint32_t fan, std::vector<PatchCell> con
 CurvedTree::CurvedTree(std::shared_ptr<Mesh const> mesh, PatchKind kind)
     : fans_(std::make_shared<SmoothFans const>(smooth_fans(std::move(mesh)))), kind_(kind),
       cells_(cells_of(*fans_)) {
-    if (kind_ == PatchKind::fitted)
+    if (kind_ != PatchKind::quadratic)
         fields_.emplace(fans_);
     fit_blur_ = 1e-11 * length(fans_->mesh->high - fans_->mesh->low); // of least squares, far above rounding
     std::vector<Bounds> const boxes = boxes_of(*fans_, cells_);
@@ -153,8 +154,12 @@ std::optional<CurvedCrossing> CurvedTree::meet(std::uint32_t triangle, dvec3 con
     if (fields_)
         for (std::size_t k = 0; k < 3; ++k)
             fields[k] = fields_->at(corners.fans[k], cells_);
-    PatchSurface const surface{cell, places_of(*fans_, triangle), normals_of(*fans_, triangle), fields,
-                               corners.creases};
+    PatchSurface const surface{cell,
+                               places_of(*fans_, triangle),
+                               normals_of(*fans_, triangle),
+                               fields,
+                               corners.creases,
+                               kind_ == PatchKind::apart};
     auto const root = root_from(*start, surface, origin, direction, rises, slack);
     if (!root)
         return std::nullopt;
@@ -199,10 +204,32 @@ CurvedAnswer CurvedTree::next(dvec3 const& origin, dvec3 const& direction, Insid
     if (!answer.crossing && in_some) {
         answer.crossing =
             nearest(origin, direction, inside, {reach.from, end}, 1e3 * rounding, overlap_in_doubt);
-        if (answer.crossing)
-            answer.crossing->recovered = true;
-        else
-            answer.contradiction = reach.from;
+        if (!answer.crossing)
+            return through_triangles(origin, direction, inside, {reach.from, end}, rounding);
+        answer.crossing->recovered = true;
+    }
+    return answer;
+}
+
+CurvedAnswer CurvedTree::through_triangles(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
+                                           Reach reach, double rounding) const {
+    // in a thread of its own: one that traces would, while Embree builds, take up other rays and come here
+    // again
+    std::call_once(triangles_built_, [this] {
+        std::thread([this] { triangles_ = std::make_unique<MeshTree const>(fans_->mesh); }).join();
+    });
+    MeshAnswer const met = triangles_->next(origin, direction, inside, reach, rounding);
+    CurvedAnswer answer{std::nullopt, met.contradiction};
+    if (auto const& c = met.crossing) {
+        answer.crossing.emplace();
+        answer.crossing->t = std::max(c->t, reach.from);
+        answer.crossing->slope = c->slope;
+        answer.crossing->point = origin + answer.crossing->t * direction;
+        answer.crossing->normal = answer.crossing->geometric = c->normal;
+        answer.crossing->uv = c->uv;
+        answer.crossing->triangle = c->triangle;
+        answer.crossing->enters = c->enters;
+        answer.crossing->recovered = true;
     }
     return answer;
 }

@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace sahl {
 enum class PatchKind : std::uint8_t {
     quadratic, // heights over the chords by the normals at their ends; the light's normal is the corners',
                // weighted
-    fitted     // polynomials of degree 4, one at each vertex, weighted
+    fitted,    // polynomials of degree 4, one at each vertex, weighted
+    apart      // as fitted, but for light's normals, which those of the farther corners give: for pilots
 };
 
 struct CurvedCrossing {
@@ -90,6 +92,10 @@ class CurvedTree {
     std::optional<CurvedCrossing> nearest(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
                                           Reach reach, double rounding, double slack) const;
 
+    /// Where no patch gives a ray that is inside a way out: through the triangles.
+    CurvedAnswer through_triangles(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
+                                   Reach reach, double rounding) const;
+
     std::shared_ptr<SmoothFans const> fans_;
     PatchKind kind_;
     std::vector<PatchCell> cells_;
@@ -97,6 +103,8 @@ class CurvedTree {
     std::optional<LazyFields> fields_;
     Bounds box_;
     std::optional<BoxTree> boxes_;
+    mutable std::once_flag triangles_built_;
+    mutable std::unique_ptr<MeshTree const> triangles_; // built on first need
 };
 
 } // namespace sahl

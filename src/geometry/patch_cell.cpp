@@ -103,6 +103,17 @@ SurfaceValue PatchSurface::value(dvec3 const& point) const {
             if (!fields[k])
                 found.gradient += weight[k] * (cell.normal / cell.rise[k] - normals[k]);
     }
+    if (apart) {
+        dvec3 all(0.0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            dvec3 gradient = normals[k];
+            if (fields[k])
+                fields[k]->above(point, gradient);
+            all += 0.5 * (1.0 - weight[k]) * gradient;
+        }
+        found.gradient += all - found.normal; // so that light keeps to the sides of what it meets
+        found.normal = all;
+    }
     if (creases && fields[0] && fields[1] && fields[2])
         for (std::size_t k = 0; k < 3; ++k)
             if (creases >> k & 1) {

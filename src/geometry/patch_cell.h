@@ -57,6 +57,7 @@ struct PatchSurface {
     std::array<dvec3, 3> corners, normals;
     CellFields fields;
     std::uint8_t creases;
+    bool apart = false; // the light's normal is that of the farther corners' polynomials
 
     SurfaceValue value(dvec3 const& point) const;
 };

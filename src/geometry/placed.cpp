@@ -1,5 +1,6 @@
 #include "geometry/placed.h"
 
+#include "geometry/pilot_curving.h"
 #include "geometry/recognise.h"
 #include "math/overloaded.h"
 
@@ -97,9 +98,20 @@ Placed place(PlacedGeometry geometry, MeshMeeting by) {
     return placed;
 }
 
+namespace {
+
+VertexShare vertices_for(Curving curving) {
+    return curving == recognised_even  ? VertexShare::even
+           : curving == recognised_odd ? VertexShare::odd
+                                       : VertexShare::all;
+}
+
+} // namespace
+
 std::optional<Placed> recognised(Placed const& placed) {
     Patches const* const patches = std::get_if<Patches>(&placed.met_by);
-    auto found = patches ? recognise((*patches)->fans()) : std::nullopt;
+    auto found =
+        patches ? recognise((*patches)->fans(), vertices_for(placed.geometry.curving)) : std::nullopt;
     if (!found)
         return std::nullopt;
     Placed as_solid = placed;

@@ -262,7 +262,24 @@ std::optional<Found> as_cylinder(Piece const& piece, Judge& judge) {
     return Found{{Region::Kind::quadric, on_axis, 0.0, 0.0}, quadric, {}};
 }
 
-std::vector<Piece> pieces_of(SmoothFans const& fans) {
+void leave_out(Piece& piece, VertexShare share) {
+    constexpr std::size_t few = 16;
+    std::size_t const count = piece.places.size();
+    if (share == VertexShare::all || count < 4)
+        return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        bool const even = share == VertexShare::even;
+        if (count < few ? i == (even ? 0 : count - 1) : (i % 2 == 0) != even)
+            continue;
+        piece.places[kept] = piece.places[i];
+        piece.normals[kept++] = piece.normals[i];
+    }
+    piece.places.resize(kept);
+    piece.normals.resize(kept);
+}
+
+std::vector<Piece> pieces_of(SmoothFans const& fans, VertexShare share) {
     std::vector<Piece> pieces(fans.groups);
     std::vector<bool> seen(fans.fans.size(), false), has_face(fans.groups, false);
     for (std::uint32_t t = 0; t < fans.triangles.size(); ++t) {
@@ -279,6 +296,7 @@ std::vector<Piece> pieces_of(SmoothFans const& fans) {
             }
     }
     for (Piece& piece : pieces) {
+        leave_out(piece, share);
         for (dvec3 const& p : piece.places)
             piece.centre += p;
         piece.centre /= static_cast<double>(piece.places.size());
@@ -333,7 +351,7 @@ bool same_body(SmoothFans const& fans, Solid const& solid) {
 
 } // namespace
 
-std::optional<RecognisedSolid> recognise(SmoothFans const& fans) {
+std::optional<RecognisedSolid> recognise(SmoothFans const& fans, VertexShare share) {
     Mesh const& mesh = *fans.mesh;
     if (!mesh.closed() || mesh.shells.size() != 1 || mesh.shells.front().sign < 0 || fans.groups == 0 ||
         fans.groups > most_regions)
@@ -342,7 +360,7 @@ std::optional<RecognisedSolid> recognise(SmoothFans const& fans) {
     std::vector<Region> regions, behind;
     std::vector<std::uint32_t> faces;
     std::vector<std::shared_ptr<Quadric const>> quadrics;
-    for (Piece const& piece : pieces_of(fans)) {
+    for (Piece const& piece : pieces_of(fans, share)) {
         if (!piece.one_face || piece.places.size() < 3)
             return std::nullopt;
         std::optional<Found> found = as_plane(piece, judge);
@@ -369,7 +387,7 @@ std::optional<RecognisedSolid> recognise(SmoothFans const& fans) {
         return std::nullopt;
     for (Fan const& fan : fans.fans)
         for (Region const& region : regions)
-            if (!(height(region, fan.place) <= 2.0 * judge.tolerance))
+            if (!(height(region, fan.place) <= 4.0 * judge.tolerance))
                 return std::nullopt;
     double const sag = sag_of(fans);
     RecognisedSolid made{Solid(regions, std::move(quadrics), mesh.low - sag, mesh.high + sag),

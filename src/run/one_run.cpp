@@ -3,6 +3,7 @@
 #include "math/input_error.h"
 #include "report/page.h"
 #include "run/detector_files.h"
+#include "run/method_choice.h"
 #include "run/polarisation_pilot.h"
 #include "run/summary.h"
 
@@ -77,6 +78,11 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
     RunFacts const facts{program_name(), experiment_sha256(source), source.set};
+    MethodChoice choice;
+    if (experiment.trace.method == Method::automatic)
+        choice = choose_methods(run.scene, optics, emission, experiment.trace);
+    for (std::string& warning : choice.warnings)
+        run.scene.warnings.push_back(std::move(warning));
 
     for (std::string& warning : unclosed_warnings(run.scene))
         run.scene.warnings.push_back(std::move(warning));
@@ -97,7 +103,7 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         log->close();
     for (std::string& warning : hole_warnings(run.scene, outcome.holes))
         run.scene.warnings.push_back(std::move(warning));
-    run.summary = summary_of(experiment, run.scene, optics, outcome, facts);
+    run.summary = summary_of(experiment, run.scene, optics, outcome, facts, choice);
     run.failures = failures_of(experiment, outcome);
     if (!writes)
         return run;
@@ -117,6 +123,8 @@ OneRun drawn_again(Experiment const& experiment, Value summary, fs::path const& 
     run.scene = build_scene(experiment, models);
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
+    if (experiment.trace.method == Method::automatic)
+        choose_methods(run.scene, optics, emission, experiment.trace);
     run.summary = std::move(summary);
     if (auto const* failures = run.summary.find("failures"))
         for (Value const& failure : std::get<Array>(failures->data))

@@ -146,14 +146,20 @@ Value escaped(WavelengthTable const& optics, Tally const& tally) {
 }
 
 /// An error bound belongs to a mesh; exact shapes are met to rounding.
-Value objects(Scene const& scene) {
+Value objects(Scene const& scene, MethodChoice const& choice) {
     Table table;
-    for (Body const& body : scene.bodies) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        Body const& body = scene.bodies[i];
         if (body.detector)
             continue;
+        ObjectChoice const chosen = i < choice.bodies.size() ? choice.bodies[i] : ObjectChoice{};
         Table entry{{"method", of(std::string(body.mesh ? name_of(body.method) : "exact"))},
-                    {"error_bound_rad", body.mesh ? nothing() : of(0.0)},
-                    {"medium", body.open ? nothing() : of(scene.media[body.medium.value].name)}};
+                    {"error_bound_rad", !body.mesh     ? of(0.0)
+                                        : chosen.bound ? of(*chosen.bound)
+                                                       : nothing()}};
+        if (chosen.bound)
+            entry.emplace_back("sequence_changed", of(chosen.sequence_changed));
+        entry.emplace_back("medium", body.open ? nothing() : of(scene.media[body.medium.value].name));
         table.emplace_back(body.name, of(std::move(entry)));
     }
     return of(std::move(table));
@@ -243,7 +249,7 @@ Value options_of(Experiment const& experiment, RunFacts const& facts) {
 }
 
 Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTable const& optics,
-                 TraceOutcome const& outcome, RunFacts const& facts) {
+                 TraceOutcome const& outcome, RunFacts const& facts, MethodChoice const& choice) {
     Tally const& tally = outcome.tally;
     SumUnit const unit = tally.unit;
     std::uint64_t const segments = tally.segments();
@@ -281,7 +287,7 @@ Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTab
         {"absorbed_W", absorbed(scene, tally)},
         {"escaped_direction", escaped(optics, tally)},
         {"detectors", of(std::move(detectors))},
-        {"objects", objects(scene)},
+        {"objects", objects(scene, choice)},
         {"models", models_value(scene, false)},
         {"digits_lost", digits_lost(experiment, outcome.digits)},
         {"warnings", of(warnings_of(experiment, scene, outcome))},

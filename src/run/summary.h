@@ -1,6 +1,7 @@
 // In: a traced scene. Out: summary.json as a tree of values, in the units of the contract.
 #pragma once
 
+#include "run/method_choice.h"
 #include "run/trace_scene.h"
 #include "scene/value.h"
 
@@ -20,7 +21,7 @@ struct RunFacts {
 std::vector<std::string> failures_of(Experiment const& experiment, TraceOutcome const& outcome);
 
 Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTable const& optics,
-                 TraceOutcome const& outcome, RunFacts const& facts);
+                 TraceOutcome const& outcome, RunFacts const& facts, MethodChoice const& choice = {});
 
 /// The options that were in force, as in the summary.
 Value options_of(Experiment const& experiment, RunFacts const& facts);

@@ -47,7 +47,9 @@ constexpr Key trace_keys[] = {
      "\"split\", \"roulette\" (unbiased) or \"dominant\" (strongest branch only)"},
     {"split_until", Kind::number, 0.1,
      "with roulette: split while the branch's share is above this, or depth < 2", share},
-    {"method", Kind::text, "auto", "how meshes are traced: \"auto\", \"facet\", \"interpolated\", \"quadratic\", \"fitted\" or \"recognised\""},
+    {"method", Kind::text, "auto",
+     "how meshes are traced: \"auto\", \"facet\", \"interpolated\", \"quadratic\", \"fitted\" or "
+     "\"recognised\""},
     {"tolerance_rad", Kind::number, 1e-6, "with auto: the direction error that is borne", above_zero},
     {"tolerance_power", Kind::number, 1e-3, "with auto: the share of a detector's power that is borne",
      above_zero},

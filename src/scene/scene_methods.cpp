@@ -1,0 +1,36 @@
+#include "scene/scene_methods.h"
+
+#include "scene/model_body.h"
+
+namespace sahl {
+
+BodyMethod body_method(Method method) {
+    return {method == Method::interpolated, curving_of(method)};
+}
+
+std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod const> methods) {
+    std::vector<PlacedGeometry> geometries;
+    FaceId face{0};
+    ShellId shell{0};
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        Body const& body = scene.bodies[i];
+        PlacedGeometry placed{Shape(Sphere{}), body.to_world, face, shell, body.detector.has_value(), false};
+        std::size_t shells = body.open ? 0 : 1;
+        if (body.mesh) {
+            placed.geometry = body.mesh;
+            placed.interpolate = methods[i].interpolate;
+            placed.open = body.open;
+            placed.curving = methods[i].curving;
+            face.value += static_cast<std::uint32_t>(body.mesh->soup.face_names.size());
+            shells = body.open ? 0 : body.mesh->shells.size();
+        } else {
+            placed.geometry = *body.shape;
+            face.value += static_cast<std::uint32_t>(face_names(*body.shape).size());
+        }
+        shell.value += static_cast<std::uint32_t>(shells);
+        geometries.push_back(std::move(placed));
+    }
+    return std::make_unique<Bvh const>(std::move(geometries));
+}
+
+} // namespace sahl
