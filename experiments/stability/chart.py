@@ -52,7 +52,7 @@ def write_tables(rows, more_rows):
            "| method | of | cases | events | wrong | ambiguous | wrong per million (mean over cases) | cases without a wrong event | ns an event (median) |",
            "|---|---|---|---|---|---|---|---|---|"]
     for method in METHODS:
-        for of in ("mesh", "exact"):
+        for of in ("mesh", "exact", "mixed"):
             mine = by_method.get((method, of))
             if mine:
                 rate, ns = pooled(mine)
