@@ -394,7 +394,7 @@ dvec2 barycentric(TriangleSoup const& soup, std::uint32_t triangle, dvec3 const&
 
 bool is_flat(Placed const& placed, std::uint32_t face) {
     if (placed.mesh())
-        return !placed.geometry.interpolate;
+        return !placed.geometry.interpolate && placed.geometry.curving == Curving::none;
     if (Solid const* const solid = std::get_if<Solid>(&placed.met_by)) {
         Region::Kind const kind = solid->regions()[face].kind;
         return kind == Region::Kind::half_space || kind == Region::Kind::block;
