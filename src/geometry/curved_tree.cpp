@@ -127,7 +127,9 @@ CurvedTree::CurvedTree(std::shared_ptr<Mesh const> mesh, PatchKind kind)
       cells_(cells_of(*fans_)) {
     if (kind_ != PatchKind::quadratic)
         fields_.emplace(fans_);
-    fit_blur_ = 1e-11 * length(fans_->mesh->high - fans_->mesh->low); // of least squares, far above rounding
+    // two meshes with the same vertices in frames of their own weigh them differently: their fits lie apart
+    // by what float data leave open; of vertices in double by what least squares rounds
+    fit_blur_ = std::max(height_noise(*fans_), 1e-11 * length(fans_->mesh->high - fans_->mesh->low));
     std::vector<Bounds> const boxes = boxes_of(*fans_, cells_);
     box_ = boxes.empty() ? Bounds{} : boxes.front();
     for (Bounds const& box : boxes)

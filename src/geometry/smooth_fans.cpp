@@ -1,12 +1,12 @@
 #include "geometry/smooth_fans.h"
 
-#include "geometry/mesh_contact.h"
 #include "geometry/mesh_health_parts.h"
 #include "geometry/patch_fit.h"
 #include "geometry/triangle.h"
 #include "math/joined_sets.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace sahl {
@@ -19,6 +19,16 @@ constexpr double split_angle = 5e-3;
 
 double angle(dvec3 const& a, dvec3 const& b) {
     return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+/// Were the places read as floats? Some may have been moved since, onto what the mesh touches.
+bool were_floats(std::span<dvec3 const> places) {
+    std::size_t floats = 0;
+    for (dvec3 const& p : places) {
+        auto const low_bits = [](double x) { return std::bit_cast<std::uint64_t>(x) & 0x1FFFFFFF; };
+        floats += (low_bits(p.x) | low_bits(p.y) | low_bits(p.z)) == 0; // a double's last 29 of 52
+    }
+    return 10 * floats >= places.size();
 }
 
 double median_of(std::vector<double> values) {
@@ -171,7 +181,7 @@ SmoothFans smooth_fans(std::shared_ptr<Mesh const> mesh) {
         view.normals.push_back(normal_of({view.at(3 * t), view.at(3 * t + 1), view.at(3 * t + 2)}));
     MeshHealth ignored;
     std::vector<std::uint32_t> const by_angle = find_creases(view, ignored);
-    fans.float_positions = has_float_positions(*fans.mesh);
+    fans.float_positions = were_floats(fans.mesh->soup.positions);
     for (dvec3 const* const corner : {&fans.mesh->low, &fans.mesh->high})
         fans.reach = std::max({fans.reach, std::abs(corner->x), std::abs(corner->y), std::abs(corner->z)});
     bool const has_normals = !fans.mesh->soup.normals.empty();

@@ -2,11 +2,13 @@
 
 #include "geometry/pilot_curving.h"
 #include "geometry/smooth_fans.h"
+#include "math/joined_sets.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace sahl {
 
@@ -113,6 +115,21 @@ std::vector<Judge::Level> Judge::levels(std::vector<std::size_t> const& bodies) 
     return found;
 }
 
+/// Bodies that touch have their boundary in common, and so its method.
+std::vector<std::vector<std::size_t>> joined_by_contact(Scene const& scene,
+                                                        std::vector<std::vector<std::size_t>> const& single) {
+    JoinedSets sets(scene.bodies.size());
+    for (auto const& [one, other] : scene.bvh->contacts())
+        sets.join(scene.faces[one.value].body.value, scene.faces[other.value].body.value);
+    std::map<std::uint32_t, std::vector<std::size_t>> joined;
+    for (auto const& group : single)
+        joined[sets.find(static_cast<std::uint32_t>(group.front()))].push_back(group.front());
+    std::vector<std::vector<std::size_t>> groups;
+    for (auto& [root, group] : joined)
+        groups.push_back(std::move(group));
+    return groups;
+}
+
 std::string none_admissible(std::string const& name, double tolerance, double bound) {
     char text[300];
     std::snprintf(
@@ -137,10 +154,11 @@ MethodChoice choose_methods(Scene& scene, WavelengthTable const& optics, Emissio
             groups.push_back({i});
     if (groups.empty() || emission.rays() == 0)
         return choice;
+    groups = joined_by_contact(scene, groups);
     if (groups.size() > most_apart) {
         std::vector<std::size_t> all;
         for (auto const& group : groups)
-            all.push_back(group.front());
+            all.insert(all.end(), group.begin(), group.end());
         groups = {all};
     }
     double const share = options.tolerance / static_cast<double>(groups.size()); // errors add up

@@ -32,8 +32,10 @@ dvec3 any_direction(std::uint64_t ray, std::uint64_t place) {
     return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-/// Ways through the ball and back inside: as a split tree has them, most inside.
-std::vector<Query> queries(std::size_t rays) {
+/// Ways through the ball and back inside, as a split tree has them, most inside; `onto` puts a place of the
+/// sphere on the surface that is asked.
+template <class Onto>
+std::vector<Query> queries(std::size_t rays, Onto const& onto) {
     std::vector<Query> list;
     for (std::size_t i = 0; i < rays; ++i) {
         double const r = 0.99 * radius * std::sqrt(uniform(3, i, 0, 0)),
@@ -44,7 +46,7 @@ std::vector<Query> queries(std::size_t rays) {
         double const c = -n.z, s2 = (1.0 - c * c) / 2.25;
         dvec3 d = normalize(dvec3(0.0, 0.0, 1.0) / 1.5 + (c / 1.5 - std::sqrt(1.0 - s2)) * n);
         for (int bounce = 0; bounce < 4; ++bounce) {
-            list.push_back({at, d, true});
+            list.push_back({onto(at), d, true});
             at -= 2.0 * dot(at, d) * d;
             n = normalize(at);
             d = normalize(d - 2.0 * dot(d, n) * n);
@@ -60,13 +62,17 @@ void timing(std::shared_ptr<Mesh const> const& mesh) {
     ShellSet in;
     in.insert({0});
     ShellSet const out;
-    auto list = queries(40000);
+    std::vector<Query> const list = queries(40000, [](dvec3 const& p) { return p; });
+    std::vector<Query> const of_plain = queries(40000, [&](dvec3 const& p) {
+        auto const c = plain.next(1.5 * p, -normalize(p), {out, {0}}, {0.0, INFINITY}, rounding).crossing;
+        return c ? plain.onto(c->triangle, 1.5 * p - c->t * normalize(p)) : p;
+    });
     double sum = 0.0;
     std::vector<std::vector<double>> seconds(4);
     for (int round = 0; round < 9; ++round) {
         auto const time = [&](std::size_t way, auto const& call) {
             double const start = cpu_seconds();
-            for (Query const& q : list)
+            for (Query const& q : way == 0 ? of_plain : list)
                 sum += call(q);
             seconds[way].push_back((cpu_seconds() - start) / static_cast<double>(list.size()) * 1e9);
         };
