@@ -67,7 +67,8 @@ class Judge {
         double bound;
         double changed;
     };
-    /// Bounds of every method that these bodies can be met by, in the ladder's order.
+    /// Bounds of every method that these bodies can be met by, in the ladder's order; none where the curved
+    /// surface through the mesh's data loses light, as through a scan's noise.
     std::vector<Level> levels(std::vector<std::size_t> const& bodies);
 
   private:
@@ -80,9 +81,19 @@ class Judge {
     std::vector<bool> curved_;
 };
 
+bool loses_light(Trees const& trees) {
+    return std::any_of(trees.begin(), trees.end(), [](auto const& tree) {
+        return std::any_of(tree.begin(), tree.end(), [](Segment const& segment) {
+            return segment.ended == Event::leak || segment.ended == Event::invalid;
+        });
+    });
+}
+
 std::vector<Judge::Level> Judge::levels(std::vector<std::size_t> const& bodies) {
     std::vector<Level> found;
     Trees const fitted = *trees(bodies, {false, Curving::fitted});
+    if (loses_light(fitted))
+        return found;
     PathErrors const apart = compare_paths(fitted, *trees(bodies, {false, fitted_apart}), true);
     double const of_fitted = margin_of_finest * apart.tail() + rounding;
     // two solids from half of the vertices each differ by about twice what one from all of them is off
@@ -140,6 +151,12 @@ std::string none_admissible(std::string const& name, double tolerance, double bo
     return text;
 }
 
+std::string no_surface(std::string const& name) {
+    return name + ": the curved surface through its triangles and normals loses light, as that of a rough "
+                  "scan does; it is "
+                  "traced by its triangles. trace.method chooses otherwise";
+}
+
 } // namespace
 
 MethodChoice choose_methods(Scene& scene, WavelengthTable const& optics, Emission const& emission,
@@ -165,12 +182,17 @@ MethodChoice choose_methods(Scene& scene, WavelengthTable const& optics, Emissio
     std::vector<Method> chosen;
     for (auto const& group : groups) {
         auto const levels = judge.levels(group);
+        std::string const& name = scene.bodies[group.front()].name;
+        if (levels.empty()) { // its own method stays
+            choice.warnings.push_back(no_surface(name));
+            continue;
+        }
         auto best = std::find_if(levels.begin(), levels.end(),
                                  [&](auto const& level) { return level.bound <= share; });
         if (best == levels.end()) {
             best = std::min_element(levels.begin(), levels.end(),
                                     [](auto const& a, auto const& b) { return a.bound < b.bound; });
-            choice.warnings.push_back(none_admissible(scene.bodies[group.front()].name, share, best->bound));
+            choice.warnings.push_back(none_admissible(name, share, best->bound));
         }
         for (std::size_t const body : group)
             choice.bodies[body] = {best->method, best->bound, best->changed};
