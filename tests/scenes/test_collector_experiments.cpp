@@ -109,7 +109,7 @@ TEST_CASE("the fibre experiment carries each ray as its incidence at the wall sa
         long double expected = 0.0L;
         std::size_t const all = static_cast<std::size_t>(number_at(run.summary, {"rays"}));
         for (std::uint64_t ray = 0; ray < all; ++ray, ++rays) {
-            Segment const& first = rows_of(run, ray).front();
+            Segment const first = rows_of(run, ray).front();
             dvec3 const in = 1e3 * end_of(first);
             // turned about +x the beam goes to −y
             expected += through_the_fibre(angle, in.x, -in.y, 200.0) / static_cast<double>(all);

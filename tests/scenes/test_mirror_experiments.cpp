@@ -80,7 +80,7 @@ TEST_CASE("the Cassegrain experiment brings a star to one point by one path, y =
     for (Segment const& last : run.segments) {
         if (last.ended != Event::detected || last.ray >= run.names.source_first_ray[1])
             continue;
-        Segment const& first = rows_of(run, last.ray).front();
+        Segment const first = rows_of(run, last.ray).front();
         double const y = 1e3 * std::hypot(first.origin.x, first.origin.y);
         double const across = std::hypot(last.direction.x, last.direction.y);
         CHECK(std::abs(2.0 * f * across / (1.0 + last.direction.z) - y) <= 1e-13 * y); // tan(U/2)
