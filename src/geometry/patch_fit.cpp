@@ -72,69 +72,26 @@ std::optional<std::array<double, most_unknowns>> solve(std::vector<Row> rows, in
     return x;
 }
 
-Row height_row(double x, double y, double z, double weight) {
-    Row row{1,
-            x,
-            y,
-            x * x,
-            x * y,
-            y * y,
-            x * x * x,
-            x * x * y,
-            x * y * y,
-            y * y * y,
-            x * x * x * x,
-            x * x * x * y,
-            x * x * y * y,
-            x * y * y * y,
-            y * y * y * y,
-            z};
-    for (double& v : row)
-        v *= weight;
-    return row;
-}
+enum class Of : std::uint8_t { height, slope_x, slope_y };
 
-Row slope_x_row(double x, double y, double slope, double weight) {
-    Row row{0,
-            1,
-            0,
-            2 * x,
-            y,
-            0,
-            3 * x * x,
-            2 * x * y,
-            y * y,
-            0,
-            4 * x * x * x,
-            3 * x * x * y,
-            2 * x * y * y,
-            y * y * y,
-            0,
-            slope};
-    for (double& v : row)
-        v *= weight;
-    return row;
-}
-
-Row slope_y_row(double x, double y, double slope, double weight) {
-    Row row{0,
-            0,
-            1,
-            0,
-            x,
-            2 * y,
-            0,
-            x * x,
-            2 * x * y,
-            3 * y * y,
-            0,
-            x * x * x,
-            2 * x * x * y,
-            3 * x * y * y,
-            4 * y * y * y,
-            slope};
-    for (double& v : row)
-        v *= weight;
+/// One equation: the terms xⁱyʲ in the order of their degree, or their derivatives, and what they add up to.
+Row row_of(Of what, double x, double y, double value, double weight) {
+    std::array<double, 5> const px{1.0, x, x * x, x * x * x, x * x * x * x};
+    std::array<double, 5> const py{1.0, y, y * y, y * y * y, y * y * y * y};
+    Row row{};
+    std::size_t term = 0;
+    for (std::size_t degree = 0; degree < px.size(); ++degree)
+        for (std::size_t j = 0; j <= degree; ++j) {
+            std::size_t const i = degree - j;
+            double& entry = row[term++];
+            if (what == Of::height)
+                entry = weight * px[i] * py[j];
+            else if (what == Of::slope_x && i > 0)
+                entry = weight * static_cast<double>(i) * px[i - 1] * py[j];
+            else if (what == Of::slope_y && j > 0)
+                entry = weight * static_cast<double>(j) * px[i] * py[j - 1];
+        }
+    row[term] = weight * value;
     return row;
 }
 
@@ -198,11 +155,11 @@ std::optional<HeightField> fit_at(SmoothFans const& fans, std::uint32_t fan, Fit
         double const r = length(from) / scale, nz = dot(at.normal, field.z_axis);
         if (nz < steepest)
             continue;
-        rows.push_back(height_row(x, y, dot(from, field.z_axis) / scale, 1.0 / doubt.height(r)));
+        rows.push_back(row_of(Of::height, x, y, dot(from, field.z_axis) / scale, 1.0 / doubt.height(r)));
         if (options.slopes) {
             double const weight = 1.0 / doubt.slope(r);
-            rows.push_back(slope_x_row(x, y, -dot(at.normal, field.x_axis) / nz, weight));
-            rows.push_back(slope_y_row(x, y, -dot(at.normal, field.y_axis) / nz, weight));
+            rows.push_back(row_of(Of::slope_x, x, y, -dot(at.normal, field.x_axis) / nz, weight));
+            rows.push_back(row_of(Of::slope_y, x, y, -dot(at.normal, field.y_axis) / nz, weight));
         }
     }
     add_expectations(rows, turn);

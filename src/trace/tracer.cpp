@@ -437,26 +437,6 @@ void Grove::end(Branch const& branch, Event ended, double power, double length, 
 
 } // namespace
 
-PathFilters path_filters(Scene const& scene, WrittenFilter const& log) {
-    FilterNames names;
-    for (Face const& face : scene.faces)
-        names.surfaces.push_back(face.name);
-    for (Medium const& medium : scene.media)
-        names.media.push_back(medium.name);
-    for (SourceSpec const& source : scene.sources)
-        names.sources.push_back(source.name);
-    auto const made = [&](WrittenFilter const& written) -> std::optional<PathFilter> {
-        PathFilter filter(parse_filter(written.text, written.place.text()), names);
-        return filter.selects_all() ? std::nullopt : std::optional(std::move(filter));
-    };
-    PathFilters filters{made(log), {}};
-    for (DetectorSpec const& detector : scene.detectors) {
-        filters.detectors.push_back(made(detector.where));
-        filters.at_detectors = filters.at_detectors || filters.detectors.back();
-    }
-    return filters;
-}
-
 BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count,
                         SegmentSink* sink) {
     BatchResult result{Tally(context.unit, context.scene.bodies.size(), context.scene.faces.size(),

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "trace/path_filter.h"
+#include "trace/scene_filters.h"
 #include "trace/segment.h"
 #include "trace/sources.h"
 #include "trace/spread.h"
@@ -46,16 +46,6 @@ struct BatchResult {
     DigitsLost digits; // counted where the options ask for it
     SegmentBatch log;  // empty unless asked for, or where a sink took the segments
 };
-
-/// Which paths are logged, and by detector which count; none: all.
-struct PathFilters {
-    std::optional<PathFilter> log;
-    std::vector<std::optional<PathFilter>> detectors;
-    bool at_detectors = false; // at least one has a filter
-};
-
-/// Those of the scene's detectors and the log's. Throws InputError where one is wrong.
-PathFilters path_filters(Scene const& scene, WrittenFilter const& log);
 
 /// What tracing needs to know, all by reference; nothing is changed.
 struct TraceContext {
