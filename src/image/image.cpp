@@ -4,6 +4,7 @@
 
 #include "math/input_error.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <fstream>
 #include <new>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -23,12 +25,13 @@ constexpr int max_channels = 4;
 struct Format {
     std::string_view ending, reader, magic; // magic: the first bytes of every file of the format
     bool writable;
+    bool encoded; // values follow sRGB's curve
 };
-constexpr std::array<Format, 5> formats{{{".exr", "openexr", "\x76\x2f\x31\x01", true},
-                                         {".png", "png", "\x89PNG\r\n\x1a\n", true},
-                                         {".jpg", "jpeg", "\xff\xd8\xff", false},
-                                         {".jpeg", "jpeg", "\xff\xd8\xff", false},
-                                         {".hdr", "hdr", "#?", false}}};
+constexpr std::array<Format, 5> formats{{{".exr", "openexr", "\x76\x2f\x31\x01", true, false},
+                                         {".png", "png", "\x89PNG\r\n\x1a\n", true, true},
+                                         {".jpg", "jpeg", "\xff\xd8\xff", false, true},
+                                         {".jpeg", "jpeg", "\xff\xd8\xff", false, true},
+                                         {".hdr", "hdr", "#?", false, false}}};
 
 /// The format that the ending of `file` stands for, whatever the case of its letters.
 Format const* format_of(std::filesystem::path const& file) {
@@ -91,6 +94,18 @@ bool png_is_whole(std::istream& stream, std::uintmax_t size) {
     return false;
 }
 
+/// Throws unless it starts as its format does and is not cut off.
+void check_content(std::istream& stream, std::uintmax_t size, Format const& format,
+                   std::string const& place) {
+    std::string start(format.magic.size(), '\0');
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (!stream || start != format.magic)
+        throw InputError(place, "the content is not that of a " + std::string(format.ending) + " file",
+                         "give the file the ending of its format, or export it again");
+    if (format.reader == "png" && !png_is_whole(stream, size))
+        throw InputError(place, "the image is damaged: the file ends too early", "export it again");
+}
+
 /// Throws unless the file is there, starts as its format does and is not cut off; returns its size in bytes.
 std::uintmax_t check_file(std::filesystem::path const& file, Format const& format) {
     std::ifstream stream(file, std::ios::binary);
@@ -98,32 +113,64 @@ std::uintmax_t check_file(std::filesystem::path const& file, Format const& forma
     std::uintmax_t const size = std::filesystem::file_size(file, failed);
     if (!stream || failed)
         throw InputError(file.string(), "the image cannot be opened", "check the path and its permissions");
-    std::string start(format.magic.size(), '\0');
-    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (!stream || start != format.magic)
-        throw InputError(file.string(),
-                         "the content is not that of a " + std::string(format.ending) + " file",
-                         "give the file the ending of its format, or export it again");
-    if (format.reader == "png" && !png_is_whole(stream, size))
-        throw InputError(file.string(), "the image is damaged: the file ends too early", "export it again");
+    check_content(stream, size, format, file.string());
     return size;
 }
 
-void check_size(std::filesystem::path const& file, OIIO::ImageSpec const& spec, std::uintmax_t file_size) {
+void check_size(std::string const& place, OIIO::ImageSpec const& spec, std::uintmax_t file_size,
+                std::uint64_t most_pixels) {
+    std::string const size = std::to_string(spec.width) + " × " + std::to_string(spec.height);
     if (spec.width < 1 || spec.height < 1 || spec.width > max_side || spec.height > max_side ||
         spec.depth > 1)
-        throw InputError(file.string(),
-                         "the image has " + std::to_string(spec.width) + " × " + std::to_string(spec.height) +
-                             " pixels, more than " + std::to_string(max_side) + " a side",
-                         "make it smaller");
+        throw InputError(
+            place, "the image has " + size + " pixels, more than " + std::to_string(max_side) + " a side",
+            "make it smaller");
+    if (spec.image_pixels() > most_pixels)
+        throw InputError(
+            place, "the image has " + size + " pixels, more than " + std::to_string(most_pixels) + " in all",
+            "make it smaller");
     if (spec.nchannels < 1 || spec.nchannels > max_channels || spec.deep)
-        throw InputError(file.string(), "the image has " + std::to_string(spec.nchannels) + " channels",
+        throw InputError(place, "the image has " + std::to_string(spec.nchannels) + " channels",
                          "save a flat image of 1 to 4 channels");
     // None of the formats packs more into a byte than DWA does: blocks of 8 × 8 pixels, then deflate, 1032 to
     // one at best.
     if (spec.image_pixels() / (64 * 1032) > file_size)
-        throw InputError(file.string(), "the file is too short for the pixels that its header promises",
+        throw InputError(place, "the file is too short for the pixels that its header promises",
                          "export it again");
+}
+
+/// What all readers do once it is settled that the content may be opened.
+///   memory   where the content is, if not in the file of that name
+Image read_pixels(std::string const& name, Format const& format, std::uintmax_t file_size,
+                  std::uint64_t most_pixels, OIIO::Filesystem::IOProxy* memory) {
+    auto const in = OIIO::ImageInput::create(std::string(format.reader));
+    OIIO::ImageSpec spec, wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1); // colours as they stand in the file, not times their alpha
+    auto const broken = [&] {
+        std::string const reason = in ? in->geterror() : OIIO::geterror();
+        return InputError(name, "the image is damaged: " + reason.substr(0, reason.find('\n')),
+                          "export it again");
+    };
+    if (memory && in && (!in->supports("ioproxy") || !in->set_ioproxy(memory)))
+        throw InputError(name, "this OpenImageIO reads " + std::string(format.reader) + " from files alone",
+                         "put the picture beside the model, as a file of its own");
+    if (!in || !in->open(memory ? "within" + std::string(format.ending) : name, spec, wishes))
+        throw broken();
+    check_size(name, spec, file_size, most_pixels);
+
+    Image image{static_cast<std::uint32_t>(spec.width),
+                static_cast<std::uint32_t>(spec.height),
+                static_cast<std::uint32_t>(spec.nchannels),
+                {},
+                format.encoded};
+    try {
+        image.pixels.resize(static_cast<std::size_t>(spec.image_pixels()) * image.channels);
+        if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
+            throw broken();
+    } catch (std::bad_alloc const&) {
+        throw InputError(name, "the image does not fit into memory", "make it smaller");
+    }
+    return image;
 }
 
 } // namespace
@@ -155,37 +202,26 @@ void write_image(std::filesystem::path const& file, Image const& image,
     }
 }
 
-Image read_image(std::filesystem::path const& file) {
+Image read_image(std::filesystem::path const& file, std::uint64_t most_pixels) {
     Format const* const format = format_of(file);
     if (format == nullptr)
         throw InputError(file.string(), "this is not an image that can be read",
                          "use .png, .jpg, .hdr or .exr");
-    std::uintmax_t const file_size = check_file(file, *format);
+    std::uintmax_t const size = check_file(file, *format);
+    return read_pixels(file.string(), *format, size, most_pixels, nullptr);
+}
 
-    auto const in = OIIO::ImageInput::create(std::string(format->reader));
-    OIIO::ImageSpec spec, wishes;
-    wishes.attribute("oiio:UnassociatedAlpha", 1); // colours as they stand in the file, not times their alpha
-    auto const broken = [&] {
-        std::string const reason = in ? in->geterror() : OIIO::geterror();
-        return InputError(file.string(), "the image is damaged: " + reason.substr(0, reason.find('\n')),
-                          "export it again");
-    };
-    if (!in || !in->open(file.string(), spec, wishes))
-        throw broken();
-    check_size(file, spec, file_size);
-
-    Image image{static_cast<std::uint32_t>(spec.width),
-                static_cast<std::uint32_t>(spec.height),
-                static_cast<std::uint32_t>(spec.nchannels),
-                {}};
-    try {
-        image.pixels.resize(static_cast<std::size_t>(spec.image_pixels()) * image.channels);
-        if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
-            throw broken();
-    } catch (std::bad_alloc const&) {
-        throw InputError(file.string(), "the image does not fit into memory", "make it smaller");
-    }
-    return image;
+Image read_image(std::span<unsigned char const> bytes, std::string const& place, std::uint64_t most_pixels) {
+    std::string_view const content(reinterpret_cast<char const*>(bytes.data()), bytes.size());
+    auto const format = std::find_if(formats.begin(), formats.end(), [&](Format const& f) {
+        return f.encoded && content.starts_with(f.magic);
+    });
+    if (format == formats.end())
+        throw InputError(place, "the content is neither that of a PNG nor that of a JPEG", "export it again");
+    std::istringstream stream{std::string(content)};
+    check_content(stream, bytes.size(), *format, place);
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    return read_pixels(place, *format, bytes.size(), most_pixels, &memory);
 }
 
 } // namespace sahl

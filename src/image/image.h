@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,8 @@ namespace sahl {
 struct Image {
     std::uint32_t width = 0, height = 0, channels = 1;
     std::vector<float> pixels;
+    bool encoded =
+        false; // as PNG and JPEG are: values follow sRGB's curve; otherwise they are proportional to light
 };
 
 /// Writes to a temporary name and renames. The format is that of the ending: .exr (32-bit float, ZIP) or .png
@@ -21,8 +24,14 @@ struct Image {
 void write_image(std::filesystem::path const& file, Image const& image,
                  std::vector<std::pair<std::string, std::string>> const& metadata = {});
 
-/// Reads EXR, PNG, JPEG or HDR, by the ending, never another format; at most 32768 × 32768 and 4 channels.
-Image read_image(std::filesystem::path const& file);
+/// Reads EXR, PNG, JPEG or HDR, by the ending, never another format; at most 32768 × 32768, 4 channels and
+/// `most_pixels`. Throws InputError.
+Image read_image(std::filesystem::path const& file, std::uint64_t most_pixels = std::uint64_t{1} << 30);
+
+/// Reads a PNG or JPEG that lies within another file, told by its first bytes. Throws InputError with
+/// `place`.
+Image read_image(std::span<unsigned char const> bytes, std::string const& place,
+                 std::uint64_t most_pixels = std::uint64_t{1} << 30);
 
 /// A map of a scalar field that a person can look at: viridis (colour-blind safe, monotonic in lightness),
 /// from 0 to `peak`, or logarithmic over `decades` below it, with a colour bar, its ticks and their unit at

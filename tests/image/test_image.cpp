@@ -195,3 +195,29 @@ TEST_CASE("a header that promises more pixels than its file can hold is refused 
     write_bytes(folder.path / "c.hdr", start + "-Y -2 +X 5\n" + std::string(100, '\0'));
     CHECK(has(complaint(folder.path / "c.hdr"), "c.hdr"));
 }
+
+TEST_CASE("a PNG within another file is read as from its own, and says whether its values are encoded") {
+    Folder const folder;
+    Image const image = gradient(9, 5, 3);
+    write_image(folder.path / "a.png", image);
+    write_image(folder.path / "a.exr", image);
+    std::string const content = bytes(folder.path / "a.png");
+    auto const read = [](std::string const& text, std::uint64_t most = 1000) {
+        return read_image({reinterpret_cast<unsigned char const*>(text.data()), text.size()},
+                          "model.glb: /images/0", most);
+    };
+    Image const within = read(content), beside = read_image(folder.path / "a.png");
+    CHECK(within.pixels == beside.pixels);
+    CHECK((within.encoded && beside.encoded));
+    CHECK_FALSE(read_image(folder.path / "a.exr").encoded);
+    for (std::string const& bad : {std::string(), std::string("GIF89a"),
+                                   content.substr(0, content.size() / 2), bytes(folder.path / "a.exr")})
+        try {
+            read(bad);
+            FAIL("read");
+        } catch (InputError const& error) {
+            CHECK(has(error.what(), "model.glb: /images/0"));
+        }
+    CHECK_THROWS_AS(read(content, 44), InputError);
+    CHECK_THROWS_AS(read_image(folder.path / "a.png", 44), InputError);
+}
