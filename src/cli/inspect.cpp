@@ -19,7 +19,8 @@ void add_check(CLI::App& app, int& status) {
     struct Arguments {
         std::string file;
         std::vector<std::string> set;
-        bool json = false;
+        bool json = false, fit = false;
+        double tolerance = TraceOptions{}.tolerance;
     };
     auto arguments = std::make_shared<Arguments>();
     CLI::App* const command =
@@ -29,12 +30,23 @@ void add_check(CLI::App& app, int& status) {
     command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
         ->take_all()
         ->allow_extra_args(false);
+    command->add_flag("--fit", arguments->fit,
+                      "What fineness each mesh carries: errors by method, and triangles for the tolerance");
+    auto* const tolerance =
+        command
+            ->add_option("--tolerance", arguments->tolerance,
+                         "With --fit: the direction error you can bear, rad (default: the experiment's)")
+            ->check(CLI::PositiveNumber);
     command->add_flag("--json", arguments->json, "As JSON on standard output");
-    command->callback([arguments, &status] {
-        Value const report = is_model_file(arguments->file) || is_foreign_model_file(arguments->file)
-                                 ? check_model(arguments->file)
-                                 : check_experiment(load_experiment(arguments->file, arguments->set));
-        std::cout << (arguments->json ? to_json(report) + "\n" : check_text(report));
+    command->callback([arguments, tolerance, &status] {
+        auto const& [file, set, json, fit, bearable] = *arguments;
+        std::vector<std::string> settings = set;
+        if (!tolerance->empty())
+            settings.push_back(std::string("trace.tolerance_rad=") + tolerance->results().front());
+        Value const report = is_model_file(file) || is_foreign_model_file(file)
+                                 ? check_model(file, fit ? std::optional(bearable) : std::nullopt)
+                                 : check_experiment(load_experiment(file, settings), fit);
+        std::cout << (json ? to_json(report) + "\n" : check_text(report));
         status = 0;
     });
 }

@@ -2,6 +2,7 @@
 
 #include "run/check_report.h"
 #include "run/check_words.h"
+#include "run/mesh_fit.h"
 #include "run/values.h"
 #include "scene/closeness.h"
 #include "scene/read_model.h"
@@ -77,11 +78,21 @@ Scene build(Experiment& experiment, Remarks& remarks) {
     }
 }
 
+Value fit_of_lone_model(Scene& scene, double tolerance) {
+    scene.sources = probing_beams(scene);
+    WavelengthTable const optics(scene);
+    Emission const emission(scene.sources, optics, 1);
+    TraceOptions options;
+    options.tolerance = tolerance;
+    options.max_depth = 2; // in and out
+    return mesh_fits(scene, optics, emission, options);
+}
+
 } // namespace
 
-Value check_experiment(ExperimentSource const& source) {
+Value check_experiment(ExperimentSource const& source, bool fit) {
     Experiment const experiment = read_experiment(source.tree, source.file);
-    Scene const scene = build_scene(experiment);
+    Scene scene = build_scene(experiment);
     path_filters(scene, experiment.log.where); // refuses a wrong one
     WavelengthTable const optics(scene);
     Emission const emission(scene.sources, optics, experiment.trace.seed);
@@ -104,10 +115,12 @@ Value check_experiment(ExperimentSource const& source) {
     report.emplace_back("contacts", contacts_value(scene));
     report.emplace_back("media", media_value(checked));
     report.emplace_back("models", std::move(models));
+    if (fit)
+        report.emplace_back("fit", mesh_fits(scene, optics, emission, experiment.trace));
     return of(std::move(report));
 }
 
-Value check_model(std::filesystem::path const& file) {
+Value check_model(std::filesystem::path const& file, std::optional<double> fit) {
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return std::tolower(c); });
@@ -115,7 +128,7 @@ Value check_model(std::filesystem::path const& file) {
     double const unit = unit_known ? 1.0 : 1e-3;
     Remarks remarks;
     Experiment experiment = lone_model(file, unit);
-    Scene const scene = build(experiment, remarks);
+    Scene scene = build(experiment, remarks);
     WavelengthTable const optics(scene);
     Emission const emission(scene.sources, optics, 1);
     Census const census = take_census(scene, optics, emission, {});
@@ -130,6 +143,8 @@ Value check_model(std::filesystem::path const& file) {
     report.emplace_back("objects", objects_value(checked));
     report.emplace_back("contacts", contacts_value(scene));
     report.emplace_back("models", std::move(models));
+    if (fit)
+        report.emplace_back("fit", fit_of_lone_model(scene, *fit));
     return of(std::move(report));
 }
 

@@ -3,6 +3,7 @@
 
 #include "run/check_page.h"
 #include "run/check_words.h"
+#include "run/mesh_fit.h"
 
 #include <algorithm>
 
@@ -109,7 +110,9 @@ std::string check_text(Value const& report) {
     if (Array const& contacts = list_at(report, "contacts"); !contacts.empty())
         text += "\n" + remarks(contacts, "contacts");
     text += section("media", table_at(report, "media"), medium_line);
-    return text + models_text(table_at(report, "models"));
+    text += models_text(table_at(report, "models"));
+    Value const* const fit = report.find("fit");
+    return fit ? text + fits_text(*fit) : text;
 }
 
 } // namespace sahl

@@ -18,11 +18,6 @@ char const* name_of(BranchPolicy policy) {
                                               : "dominant";
 }
 
-char const* name_of(Method method) {
-    constexpr char const* names[] = {"auto", "facet", "interpolated", "quadratic", "fitted", "recognised"};
-    return names[static_cast<std::size_t>(method)];
-}
-
 /// Ten digits, but where two wavelengths would then be called the same: a table must not have a key twice.
 std::vector<std::string> wavelength_names(WavelengthTable const& optics) {
     auto const with_digits = [](double wavelength, int digits) {

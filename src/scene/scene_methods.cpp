@@ -8,6 +8,11 @@ BodyMethod body_method(Method method) {
     return {method == Method::interpolated, curving_of(method)};
 }
 
+char const* name_of(Method method) {
+    constexpr char const* names[] = {"auto", "facet", "interpolated", "quadratic", "fitted", "recognised"};
+    return names[static_cast<std::size_t>(method)];
+}
+
 std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod const> methods) {
     std::vector<PlacedGeometry> geometries;
     FaceId face{0};

@@ -18,4 +18,7 @@ std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod con
 
 BodyMethod body_method(Method method);
 
+/// As in an experiment file.
+char const* name_of(Method method);
+
 } // namespace sahl

@@ -1,0 +1,145 @@
+#include "run/method_levels.h"
+
+#include "geometry/data_steps.h"
+#include "geometry/pilot_curving.h"
+#include "math/joined_sets.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace sahl {
+
+namespace {
+
+constexpr std::uint64_t pilots = 256;    // of each source
+constexpr double margin = 2.0;           // for what 256 rays do not see of the worst
+constexpr double margin_of_finest = 4.0; // two ways to fit the same data share some of their error
+constexpr double rounding = 1e-12;       // rad: of directions in double, with all that a path may make of it
+
+constexpr std::size_t most_apart = 6; // groups that are judged one by one
+
+/// After recognised, which is faster than any; the order is from fast to slow, as measured.
+constexpr std::array by_triangle{Method::facet, Method::interpolated, Method::quadratic, Method::fitted};
+
+bool loses_light(Trees const& trees) {
+    return std::any_of(trees.begin(), trees.end(), [](auto const& tree) {
+        return std::any_of(tree.begin(), tree.end(), [](Segment const& segment) {
+            return segment.ended == Event::leak || segment.ended == Event::invalid;
+        });
+    });
+}
+
+} // namespace
+
+std::vector<bool> closed_meshes(Scene const& scene) {
+    std::vector<bool> closed;
+    for (Body const& body : scene.bodies)
+        closed.push_back(body.mesh && !body.open && body.mesh->closed());
+    return closed;
+}
+
+MethodPilots::MethodPilots(Scene& scene, WavelengthTable const& optics, Emission const& emission,
+                           TraceOptions const& options, std::vector<bool> curved)
+    : scene_(scene), optics_(optics), emission_(emission), options_(options),
+      rays_(spread_rays(emission, pilots, 0.25)), base_(scene.bodies.size()), curved_(std::move(curved)) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].mesh)
+            base_[i] = body_method(curved_[i] ? Method::fitted : scene.bodies[i].method);
+}
+
+/// The pilots' trees with these bodies met by one method; nothing where it does not exist.
+std::optional<Trees> MethodPilots::trees(std::vector<std::size_t> const& bodies, BodyMethod method) {
+    std::vector<BodyMethod> methods = base_;
+    for (std::size_t const body : bodies)
+        methods[body] = method;
+    scene_.bvh = bvh_with(scene_, methods);
+    if (is_recognition(method.curving))
+        for (std::size_t const body : bodies)
+            if (scene_.bvh->curving(static_cast<std::uint32_t>(body)) == Curving::fitted)
+                return std::nullopt;
+    return trees_of(scene_, optics_, emission_, options_, rays_);
+}
+
+MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
+    MethodLevels found;
+    Trees const fitted = *trees(bodies, {false, Curving::fitted});
+    found.loses_light = loses_light(fitted);
+    if (found.loses_light)
+        return found;
+    PathErrors const apart = compare_paths(fitted, *trees(bodies, {false, fitted_apart}), true);
+    double const of_fitted = margin_of_finest * apart.tail() + rounding;
+    // two solids from half of the vertices each differ by about twice what one from all of them is off
+    auto const even = trees(bodies, {false, recognised_even}), odd = trees(bodies, {false, recognised_odd});
+    auto const whole = trees(bodies, {false, Curving::recognised});
+    double reference_bound = of_fitted;
+    Trees const* reference = &fitted;
+    if (even && odd && whole) {
+        PathErrors const halves = compare_paths(*even, *odd, true);
+        double const bound = margin_of_finest * halves.tail() + rounding;
+        found.levels.push_back({Method::recognised, bound, 0.5 * halves.rms,
+                                compare_paths(*whole, fitted, true).changed_share()});
+        if (bound < of_fitted) {
+            reference = &*whole;
+            reference_bound = bound;
+        }
+    }
+    bool const with_normals = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
+        return !scene_.bodies[body].mesh->soup.normals.empty();
+    });
+    for (Method const method : by_triangle) {
+        if (method == Method::interpolated && !with_normals)
+            continue;
+        bool const finest = method == Method::fitted && reference == &fitted;
+        PathErrors const errors =
+            finest ? apart : compare_paths(*trees(bodies, body_method(method)), *reference, true);
+        found.levels.push_back({method, finest ? of_fitted : margin * errors.tail() + reference_bound,
+                                errors.rms,
+                                method == Method::fitted ? apart.changed_share() : errors.changed_share()});
+    }
+    return found;
+}
+
+double MethodPilots::floor_of(std::vector<std::size_t> const& bodies) {
+    BodyMethod const fitted{false, Curving::fitted};
+    Trees const given = *trees(bodies, fitted);
+    std::vector<std::shared_ptr<Mesh const>> kept;
+    for (std::size_t const body : bodies) {
+        kept.push_back(scene_.bodies[body].mesh);
+        scene_.bodies[body].mesh = std::make_shared<Mesh const>(shaken(*kept.back()));
+    }
+    Trees const moved = *trees(bodies, fitted);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        scene_.bodies[bodies[i]].mesh = kept[i];
+    return compare_paths(given, moved, true).rms / shaken_by;
+}
+
+std::vector<std::vector<std::size_t>> judged_together(Scene const& scene, std::vector<bool> const& curved) {
+    JoinedSets sets(scene.bodies.size());
+    for (auto const& [one, other] : scene.bvh->contacts())
+        sets.join(scene.faces[one.value].body.value, scene.faces[other.value].body.value);
+    std::map<std::uint32_t, std::vector<std::size_t>> joined;
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < curved.size(); ++i)
+        if (curved[i]) {
+            joined[sets.find(static_cast<std::uint32_t>(i))].push_back(i);
+            all.push_back(i);
+        }
+    if (joined.size() > most_apart)
+        return {all};
+    std::vector<std::vector<std::size_t>> groups;
+    for (auto& [root, group] : joined)
+        groups.push_back(std::move(group));
+    return groups;
+}
+
+ChosenLevel chosen_level(std::vector<MethodLevel> const& levels, double tolerance) {
+    for (MethodLevel const& level : levels)
+        if (level.bound <= tolerance)
+            return {level, true};
+    return {*std::min_element(levels.begin(), levels.end(),
+                              [](auto const& a, auto const& b) { return a.bound < b.bound; }),
+            false};
+}
+
+} // namespace sahl

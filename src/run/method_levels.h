@@ -1,0 +1,70 @@
+// In: a scene with meshes. Out: for each method that a mesh can be met by, a bound on the error of
+// directions, by pilot rays.
+#pragma once
+
+#include "run/path_errors.h"
+#include "scene/scene_methods.h"
+
+#include <optional>
+#include <vector>
+
+namespace sahl {
+
+struct MethodLevel {
+    Method method = Method::facet;
+    double bound = 0.0;   // rad
+    double rms = 0.0;     // rad, of the pilots against the finest method; of that, what it cannot tell of
+                          // itself
+    double changed = 0.0; // share of the pilots that meet other events
+};
+
+/// Bounds of every method that some bodies can be met by, recognised first, then from coarse to fine.
+struct MethodLevels {
+    std::vector<MethodLevel> levels;
+    bool loses_light = false; // the curved surface through the mesh's data does, as through a scan's noise:
+                              // then there are no bounds
+};
+
+/// Pilots of a scene whose curved meshes are fitted, but for those that are asked about.
+class MethodPilots {
+  public:
+    /// curved   by body: met as a curved surface where nothing else is said
+    MethodPilots(Scene& scene, WavelengthTable const& optics, Emission const& emission,
+                 TraceOptions const& options, std::vector<bool> curved);
+
+    bool curved(std::size_t body) const { return curved_[body]; }
+    MethodLevels levels(std::vector<std::size_t> const& bodies);
+    /// What rounding to the digits that the files of these meshes have makes of directions (rad, RMS): how
+    /// far they move when places and normals are moved by such steps.
+    double floor_of(std::vector<std::size_t> const& bodies);
+    /// By body; to be changed when a choice is made.
+    std::vector<BodyMethod>& methods() { return base_; }
+
+  private:
+    std::optional<Trees> trees(std::vector<std::size_t> const& bodies, BodyMethod method);
+
+    Scene& scene_;
+    WavelengthTable const& optics_;
+    Emission const& emission_;
+    TraceOptions const& options_;
+    std::vector<std::uint64_t> rays_;
+    std::vector<BodyMethod> base_;
+    std::vector<bool> curved_;
+};
+
+/// Bodies that are closed meshes.
+std::vector<bool> closed_meshes(Scene const& scene);
+
+/// The curved bodies, in groups that take one method: those that touch, since their boundary is in common;
+/// where that makes more than six, all of them.
+std::vector<std::vector<std::size_t>> judged_together(Scene const& scene, std::vector<bool> const& curved);
+
+/// The fastest of the levels whose bound is within the tolerance (rad); where none is, that of the least
+/// bound. By a fixed order, so that a choice never depends on a clock.
+struct ChosenLevel {
+    MethodLevel level;
+    bool within = true;
+};
+ChosenLevel chosen_level(std::vector<MethodLevel> const& levels, double tolerance);
+
+} // namespace sahl
