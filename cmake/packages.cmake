@@ -36,6 +36,7 @@ find_package(OpenSSL QUIET COMPONENTS Crypto)
 sahl_need(SAHL_PRIVATE_LIBRARIES "OpenSSL's libcrypto" libssl-dev OpenSSL::Crypto)
 
 find_package(OpenMesh CONFIG QUIET)
+sahl_need(SAHL_PRIVATE_LIBRARIES "OpenMesh" libopenmesh-dev OpenMeshTools)
 sahl_need(SAHL_PRIVATE_LIBRARIES "OpenMesh" libopenmesh-dev OpenMeshCore)
 
 find_package(TinyGLTF CONFIG QUIET)

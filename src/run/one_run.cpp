@@ -4,6 +4,7 @@
 #include "report/page.h"
 #include "run/detector_files.h"
 #include "run/method_choice.h"
+#include "run/normal_warnings.h"
 #include "run/polarisation_pilot.h"
 #include "run/summary.h"
 
@@ -81,6 +82,8 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     MethodChoice choice;
     if (experiment.trace.method == Method::automatic)
         choice = choose_methods(run.scene, optics, emission, experiment.trace);
+    else
+        choice.warnings = normal_warnings(run.scene);
     for (std::string& warning : choice.warnings)
         run.scene.warnings.push_back(std::move(warning));
 
