@@ -1,6 +1,7 @@
 // The command that traces the same rays by every method and draws what accuracy costs.
 #include "cli/commands.h"
 
+#include "report/method_page.h"
 #include "report/method_scatter.h"
 #include "run/method_chart.h"
 #include "run/one_run.h"
@@ -32,17 +33,20 @@ int run_chart(ChartArguments const& arguments) {
                               : std::filesystem::path(arguments.out);
     std::vector<report::ScatterPoint> points;
     for (MethodFigures const& m : chart.methods)
-        points.push_back({m.method, m.ns_per_segment, m.rms, m.greatest, m.front});
+        points.push_back({m.method, m.ns_per_segment, m.rms, m.greatest, m.front, m.leaving, m.changed});
     std::filesystem::create_directories(out);
     write_text(out / "chart.csv", chart_csv(chart));
+    write_text(out / "chart.json", to_json(chart_value(chart)) + "\n");
     write_text(out / "chart.svg", report::method_scatter_svg(points, chart.title, chart.reference));
+    write_text(out / "chart.html", report::method_page(points, chart.title, chart.reference));
     if (arguments.quiet)
         return 0;
     std::printf("%s: errors against %s\n", chart.title.c_str(), chart.reference.c_str());
-    std::printf("  %-13s %12s %12s %12s %10s\n", "method", "ns/segment", "RMS, rad", "max, rad", "changed");
+    std::printf("  %-13s %12s %12s %12s %12s %10s\n", "method", "ns/segment", "RMS, rad", "leaving",
+                "max, rad", "changed");
     for (MethodFigures const& m : chart.methods)
-        std::printf("%s %-13s %12.4g %12.3g %12.3g %9.3g%%\n", m.front ? "*" : " ", m.method.c_str(),
-                    m.ns_per_segment, m.rms, m.greatest, 100.0 * m.changed);
+        std::printf("%s %-13s %12.4g %12.3g %12.3g %12.3g %9.3g%%\n", m.front ? "*" : " ", m.method.c_str(),
+                    m.ns_per_segment, m.rms, m.leaving, m.greatest, 100.0 * m.changed);
     std::printf("  *: no other method is both faster and nearer; written to %s\n", out.c_str());
     return 0;
 }
@@ -56,8 +60,9 @@ void add_chart(CLI::App& app, int& status) {
     command->add_option("experiment", arguments->experiment, "An experiment with a closed mesh")->required();
     command->add_option("--exact", arguments->exact,
                         "The same experiment with exact shapes, which errors are then held against");
-    command->add_option("--out", arguments->out,
-                        "Folder of chart.csv and chart.svg (default: out/<name>-chart)");
+    command->add_option(
+        "--out", arguments->out,
+        "Folder of chart.csv, .json, .svg and .html, that of a run perhaps (default: out/<name>-chart)");
     command->add_option("--set", arguments->set, "KEY=VALUE: set a key of the experiment")
         ->take_all()
         ->allow_extra_args(false);

@@ -11,6 +11,8 @@ struct ScatterPoint {
     std::string name;
     double nanoseconds, rms, greatest; // per segment; rad
     bool front;
+    double leaving = 0.0; // rad, RMS of what leaves the scene alone; shown in tables
+    double changed = 0.0; // share of rays that meet other events; the same
 };
 
 /// Points of no error stand at the foot. The front's are filled and joined; a bar leads up to the greatest

@@ -2,6 +2,7 @@
 
 #include "math/input_error.h"
 #include "run/path_errors.h"
+#include "run/values.h"
 #include "scene/scene_methods.h"
 
 #include <algorithm>
@@ -60,6 +61,19 @@ std::vector<Way> ways_of(Scene const& scene) {
     return ways;
 }
 
+/// The experiment of exact shapes that errors are held against.
+struct ExactSide {
+    Experiment experiment;
+    Scene scene;
+    WavelengthTable optics;
+    Emission emission;
+    Trees trees{};
+
+    explicit ExactSide(ExperimentSource const& source)
+        : experiment(read_experiment(source.tree, source.file)), scene(build_scene(experiment)),
+          optics(scene), emission(scene.sources, optics, experiment.trace.seed) {}
+};
+
 void find_front(std::vector<MethodFigures>& methods) {
     for (MethodFigures& one : methods)
         one.front = std::none_of(methods.begin(), methods.end(), [&](MethodFigures const& other) {
@@ -95,38 +109,47 @@ MethodChart method_chart(ExperimentSource const& source, std::optional<Experimen
 
     MethodChart chart;
     chart.title = experiment.title;
-    std::optional<Trees> truth;
+    chart.rays = rays.size();
+    std::optional<ExactSide> truth;
     if (exact) {
-        Experiment const with_shapes = read_experiment(exact->tree, exact->file);
-        Scene const exact_scene = build_scene(with_shapes);
-        WavelengthTable const exact_optics(exact_scene);
-        Emission const exact_emission(exact_scene.sources, exact_optics, with_shapes.trace.seed);
-        if (exact_emission.rays() != emission.rays())
+        truth.emplace(*exact);
+        if (truth->emission.rays() != emission.rays())
             throw InputError(exact->file.string(), "has other rays than " + source.file.string(),
                              "give it the same sources");
-        truth = trees_of(exact_scene, exact_optics, exact_emission, options, rays);
+        truth->trees = trees_of(truth->scene, truth->optics, truth->emission, options, rays);
         chart.reference = "the exact shapes of " + exact->file.filename().string();
     } else {
         chart.reference = ways.back().figures.method;
         ways.back().figures.reference = true;
     }
-    Trees const& reference = truth ? *truth : ways.back().trees;
+    Trees const& reference = truth ? truth->trees : ways.back().trees;
     for (Way& way : ways) {
         PathErrors const errors = compare_paths(way.trees, reference, !truth);
         way.figures.rms = errors.rms;
+        way.figures.leaving = errors.leaving;
         way.figures.greatest = errors.greatest;
         way.figures.changed = errors.changed_share();
     }
     SumUnit const unit = power_unit(emission);
     TraceContext const context{scene, optics, emission, options, unit, 0};
     std::uint64_t const timed = std::min(rays_timed, emission.rays());
-    for (int round = 0; round < rounds; ++round)
+    auto const time = [&](Way& way, TraceContext const& of) {
+        double const start = cpu_seconds();
+        way.figures.segments = trace_batch(of, 0, timed).tally.segments();
+        way.seconds.push_back(cpu_seconds() - start);
+    };
+    Way by_shapes;
+    for (int round = 0; round < rounds; ++round) {
         for (Way& way : ways)
-            swapped(way, [&] {
-                double const start = cpu_seconds();
-                way.figures.segments = trace_batch(context, 0, timed).tally.segments();
-                way.seconds.push_back(cpu_seconds() - start);
-            });
+            swapped(way, [&] { time(way, context); });
+        if (truth)
+            time(by_shapes, {truth->scene, truth->optics, truth->emission, options, unit, 0});
+    }
+    if (truth) {
+        by_shapes.figures.method = "exact";
+        by_shapes.figures.reference = true;
+        ways.push_back(std::move(by_shapes));
+    }
     for (Way& way : ways) {
         std::sort(way.seconds.begin(), way.seconds.end());
         way.figures.ns_per_segment =
@@ -138,15 +161,34 @@ MethodChart method_chart(ExperimentSource const& source, std::optional<Experimen
 }
 
 std::string chart_csv(MethodChart const& chart) {
-    std::string csv = "method,ns_per_segment,segments,rms_rad,max_rad,sequence_changed,reference,front\n";
+    std::string csv =
+        "method,ns_per_segment,segments,rms_rad,leaving_rms_rad,max_rad,sequence_changed,reference,front\n";
     for (MethodFigures const& m : chart.methods) {
         char line[300];
-        std::snprintf(line, sizeof line, "%s,%.6g,%llu,%.6g,%.6g,%.6g,%d,%d\n", m.method.c_str(),
-                      m.ns_per_segment, static_cast<unsigned long long>(m.segments), m.rms, m.greatest,
-                      m.changed, m.reference, m.front);
+        std::snprintf(line, sizeof line, "%s,%.6g,%llu,%.6g,%.6g,%.6g,%.6g,%d,%d\n", m.method.c_str(),
+                      m.ns_per_segment, static_cast<unsigned long long>(m.segments), m.rms, m.leaving,
+                      m.greatest, m.changed, m.reference, m.front);
         csv += line;
     }
     return csv;
+}
+
+Value chart_value(MethodChart const& chart) {
+    Array methods;
+    for (MethodFigures const& m : chart.methods)
+        methods.push_back(of(Table{{"method", of(m.method)},
+                                   {"ns_per_segment", of(m.ns_per_segment)},
+                                   {"segments", of(m.segments)},
+                                   {"rms_rad", of(m.rms)},
+                                   {"leaving_rms_rad", of(m.leaving)},
+                                   {"max_rad", of(m.greatest)},
+                                   {"sequence_changed", of(m.changed)},
+                                   {"reference", of(m.reference)},
+                                   {"front", of(m.front)}}));
+    return of(Table{{"title", of(chart.title)},
+                    {"held_against", of(chart.reference)},
+                    {"rays", of(chart.rays)},
+                    {"methods", of(std::move(methods))}});
 }
 
 } // namespace sahl

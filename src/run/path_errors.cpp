@@ -60,12 +60,13 @@ double PathErrors::tail() const {
 
 PathErrors compare_paths(Trees const& one, Trees const& other, bool same_faces) {
     PathErrors errors;
-    double squares = 0.0;
+    double squares = 0.0, leaving_squares = 0.0;
+    std::uint64_t leaving = 0;
     for (std::size_t r = 0; r < one.size(); ++r) {
         std::vector<Segment> const &a = one[r], &b = other[r];
         bool changed = a.empty() || b.empty();
-        double worst = 0.0, sum = 0.0;
-        std::uint64_t count = 0;
+        double worst = 0.0, sum = 0.0, sum_leaving = 0.0;
+        std::uint64_t count = 0, count_leaving = 0;
         std::vector<std::pair<std::size_t, std::size_t>>
             matched; // indices; children come after their parents
         if (!changed)
@@ -77,6 +78,9 @@ PathErrors compare_paths(Trees const& one, Trees const& other, bool same_faces) 
                 worst = std::max(worst, off);
                 sum += off * off;
                 ++count;
+                bool const leaves = a[i].ended == Event::escaped || a[i].ended == Event::detected;
+                sum_leaving += leaves ? off * off : 0.0;
+                count_leaving += leaves;
             }
             bool const same = a[i].ended == b[j].ended && (!same_faces || a[i].surface == b[j].surface);
             if (!same) {
@@ -98,9 +102,12 @@ PathErrors compare_paths(Trees const& one, Trees const& other, bool same_faces) 
             continue;
         squares += sum;
         errors.segments += count;
+        leaving_squares += sum_leaving;
+        leaving += count_leaving;
         errors.greatest = std::max(errors.greatest, worst);
     }
     errors.rms = errors.segments ? std::sqrt(squares / static_cast<double>(errors.segments)) : 0.0;
+    errors.leaving = leaving ? std::sqrt(leaving_squares / static_cast<double>(leaving)) : 0.0;
     return errors;
 }
 

@@ -22,7 +22,8 @@ Trees trees_of(Scene const& scene, WavelengthTable const& optics, Emission const
 
 struct PathErrors {
     double greatest = 0.0,
-           rms = 0.0; // rad, over all segments beyond the first of each ray whose events are the same
+           rms = 0.0;     // rad, over all segments beyond the first of each ray whose events are the same
+    double leaving = 0.0; // rad, RMS of the segments among these that escape or arrive at a detector
     std::uint64_t segments = 0;
     std::uint64_t rays = 0, changed = 0; // whose sequence of events is not the same
     std::vector<double> by_ray;          // the greatest of each, −1 where its events are others
