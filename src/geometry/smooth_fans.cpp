@@ -92,11 +92,19 @@ dvec3 fan_normal(HealthView const& view, std::span<std::uint32_t const> fan, boo
     return size > 0.0 && std::isfinite(size) ? sum / size : by_positions;
 }
 
+/// m: of a triangle at a fan.
+double edge_at(SmoothFans const& fans, Fan const& fan) {
+    SmoothTriangle const& triangle = fans.triangles[fans.corners[fan.first_corner]];
+    return length(fans.fans[triangle.fans[1]].place - fans.fans[triangle.fans[0]].place);
+}
+
 /// The file's normals against those of polynomials through the positions alone, and these against lesser
-/// ones: by how much the first disagree, and how far the second can be trusted.
+/// ones: by how much the first disagree, and how far the second can be trusted. What rounding to floats does
+/// to the positions both polynomials share: an eighth of an ulp over an edge is left of it by the fit.
 void compare_with_positions(SmoothFans& fans) {
     constexpr std::size_t sample = 512;
     std::size_t const stride = std::max<std::size_t>(1, fans.fans.size() / sample);
+    double const rounding = fans.float_positions ? 0x1p-26 * fans.reach : 0.0;
     std::vector<double> off, blur;
     for (std::size_t i = 0; i < fans.fans.size(); i += stride) {
         auto const normal = [&](int degree) -> std::optional<dvec3> {
@@ -111,7 +119,7 @@ void compare_with_positions(SmoothFans& fans) {
         if (!best || !lesser)
             continue;
         off.push_back(angle(fans.fans[i].normal, *best));
-        blur.push_back(angle(*lesser, *best));
+        blur.push_back(std::max(angle(*lesser, *best), rounding / edge_at(fans, fans.fans[i])));
     }
     fans.normals_off = median_of(std::move(off));
     fans.positions_blur = median_of(std::move(blur));

@@ -1,6 +1,7 @@
 // Meshes as careless programs write them, judged by the exact shape that they stand for: by no method is
 // light lost or a direction no number, and where a curved surface would do worse than the triangles, `auto`
 // does not take it.
+#include "geometry/smooth_fans.h"
 #include "run/holes.h"
 #include "run/method_choice.h"
 #include "run/normal_warnings.h"
@@ -250,4 +251,11 @@ TEST_CASE("a scan's noise costs what it is in slope, by no method more than by t
         CHECK(ball.chosen.greatest <= ball.choice.bodies.front().bound.value_or(0.0));
         CHECK(ball.choice.warnings.size() == 1); // that 1e-3 rad is not to be had
     }
+}
+
+TEST_CASE("of a mesh so fine that floats blur its places, the normals are believed", "[curved]") {
+    auto const fine = smooth_fans(float_ball(radius, 110)); // 242 000 triangles, edges of 50 µm
+    INFO(fine.normals_off << " rad off, places tell " << fine.positions_blur);
+    CHECK(fine.normals == NormalUse::files);
+    CHECK(smooth_fans(with_coarse_normals(110, 127.0)).normals == NormalUse::first_order);
 }
