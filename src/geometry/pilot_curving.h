@@ -7,7 +7,7 @@ namespace sahl {
 
 /// The fitted surface with the normals of each place taken from the polynomials of the farther corners.
 inline constexpr Curving fitted_apart{16};
-/// Recognised from every other vertex alone, and from the rest.
+/// Recognised from half of the vertices alone, and from the rest.
 inline constexpr Curving recognised_even{17};
 inline constexpr Curving recognised_odd{18};
 

@@ -270,7 +270,8 @@ void leave_out(Piece& piece, VertexShare share) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
         bool const even = share == VertexShare::even;
-        if (count < few ? i == (even ? 0 : count - 1) : (i % 2 == 0) != even)
+        // by a hash: every other one may be all of one rim
+        if (count < few ? i == (even ? 0 : count - 1) : (mix64(i) % 2 == 0) != even)
             continue;
         piece.places[kept] = piece.places[i];
         piece.normals[kept++] = piece.normals[i];

@@ -21,7 +21,7 @@ struct RecognisedSolid {
 /// Of one closed shell whose every smooth piece is a plane, a sphere or a cylinder to four units in the last
 /// place of float coordinates, and normals (where the file's count) to 1e-6 rad, so that the body is what
 /// lies behind all of them. Else nothing.
-/// From every other vertex alone (or, where a piece has few, all but one), two such solids tell by how much
+/// From half of the vertices alone (or, where a piece has few, all but one), two such solids tell by how much
 /// they differ how far one from all can be trusted.
 enum class VertexShare { all, even, odd };
 std::optional<RecognisedSolid> recognise(SmoothFans const& fans, VertexShare share = VertexShare::all);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace sahl {
@@ -64,35 +65,49 @@ std::optional<Trees> MethodPilots::trees(std::vector<std::size_t> const& bodies,
 MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
     MethodLevels found;
     Trees const fitted = *trees(bodies, {false, Curving::fitted});
-    found.loses_light = loses_light(fitted);
+    std::optional<Trees> whole = trees(bodies, {false, Curving::recognised});
+    if (whole && loses_light(*whole))
+        whole.reset();
+    bool const fits = !loses_light(fitted);
+    found.loses_light = !fits && !whole;
     if (found.loses_light)
         return found;
-    PathErrors const apart = compare_paths(fitted, *trees(bodies, {false, fitted_apart}), true);
-    double const of_fitted = margin_of_finest * apart.tail() + rounding;
-    // two solids from half of the vertices each differ by about twice what one from all of them is off
-    auto const even = trees(bodies, {false, recognised_even}), odd = trees(bodies, {false, recognised_odd});
-    auto const whole = trees(bodies, {false, Curving::recognised});
-    double reference_bound = of_fitted;
-    Trees const* reference = &fitted;
-    if (even && odd && whole) {
-        PathErrors const halves = compare_paths(*even, *odd, true);
-        double const bound = margin_of_finest * halves.tail() + rounding;
-        found.levels.push_back({Method::recognised, bound, 0.5 * halves.rms,
-                                compare_paths(*whole, fitted, true).changed_share()});
-        if (bound < of_fitted) {
-            reference = &*whole;
-            reference_bound = bound;
+    Trees const* reference = nullptr;
+    double reference_bound = INFINITY, of_fitted = INFINITY;
+    PathErrors apart;
+    if (fits) {
+        apart = compare_paths(fitted, *trees(bodies, {false, fitted_apart}), true);
+        of_fitted = reference_bound = margin_of_finest * apart.tail() + rounding;
+        reference = &fitted;
+    }
+    if (whole) {
+        // two solids from half of the vertices each differ by about twice what one from all of them is off
+        auto const even = trees(bodies, {false, recognised_even}),
+                   odd = trees(bodies, {false, recognised_odd});
+        if (even && odd) {
+            PathErrors const halves = compare_paths(*even, *odd, true);
+            double const bound = margin_of_finest * halves.tail() + rounding;
+            double const changed = fits ? compare_paths(*whole, fitted, true).changed_share() : 0.0;
+            found.levels.push_back({Method::recognised, bound, 0.5 * halves.rms, changed});
+            if (bound < of_fitted) {
+                reference = &*whole;
+                reference_bound = bound;
+            }
         }
     }
+    found.loses_light = reference == nullptr;
     bool const with_normals = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
         return !scene_.bodies[body].mesh->soup.normals.empty();
     });
     for (Method const method : by_triangle) {
-        if (method == Method::interpolated && !with_normals)
+        if (found.loses_light || (method == Method::interpolated && !with_normals))
             continue;
         bool const finest = method == Method::fitted && reference == &fitted;
-        PathErrors const errors =
-            finest ? apart : compare_paths(*trees(bodies, body_method(method)), *reference, true);
+        auto const met =
+            method == Method::fitted ? std::optional(fitted) : trees(bodies, body_method(method));
+        if (loses_light(*met))
+            continue;
+        PathErrors const errors = finest ? apart : compare_paths(*met, *reference, true);
         found.levels.push_back({method, finest ? of_fitted : margin * errors.tail() + reference_bound,
                                 errors.rms,
                                 method == Method::fitted ? apart.changed_share() : errors.changed_share()});
