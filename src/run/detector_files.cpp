@@ -125,12 +125,7 @@ void write_optical_path(DetectorRecord const& record, std::filesystem::path cons
 
 } // namespace
 
-std::string write_detector_files(DetectorRecord const& record, std::filesystem::path const& folder,
-                                 std::string const& title, std::vector<double> const& wavelengths) {
-    std::filesystem::create_directories(folder);
-    DetectorSpec const& spec = record.spec();
-    // a name may hold what a file name must not
-    std::string name = spec.name;
+std::string detector_file_name(std::string name) {
     std::replace_if(
         name.begin(), name.end(),
         [](unsigned char c) {
@@ -138,6 +133,14 @@ std::string write_detector_files(DetectorRecord const& record, std::filesystem::
                    std::string_view("/\\:*?\"<>|").find(static_cast<char>(c)) != std::string_view::npos;
         },
         '_');
+    return name;
+}
+
+std::string write_detector_files(DetectorRecord const& record, std::filesystem::path const& folder,
+                                 std::string const& title, std::vector<double> const& wavelengths) {
+    std::filesystem::create_directories(folder);
+    DetectorSpec const& spec = record.spec();
+    std::string const name = detector_file_name(spec.name);
     if (spec.spot)
         write_spot(record, folder / (name + ".spot.csv"));
     if (record.far_field())

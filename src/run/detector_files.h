@@ -17,4 +17,7 @@ namespace sahl {
 std::string write_detector_files(DetectorRecord const& record, std::filesystem::path const& folder,
                                  std::string const& title, std::vector<double> const& wavelengths);
 
+/// The name of a detector's files without their endings: its own, without what a file name must not hold.
+std::string detector_file_name(std::string name);
+
 } // namespace sahl

@@ -1,10 +1,12 @@
 #include "run/one_run.h"
 
 #include "math/input_error.h"
+#include "math/random.h"
 #include "report/page.h"
 #include "run/detector_files.h"
 #include "run/method_choice.h"
 #include "run/normal_warnings.h"
+#include "run/page_detectors.h"
 #include "run/polarisation_pilot.h"
 #include "run/summary.h"
 
@@ -17,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t rays_on_page = 150; // enough to see the light, few enough to see each ray
+constexpr std::uint64_t rays_at_once = 1024;
 
 LogHeader log_header(ExperimentSource const& source, Experiment const& experiment, Scene const& scene,
                      WavelengthTable const& optics, Emission const& emission, RunFacts const& facts) {
@@ -49,18 +51,38 @@ LogHeader log_header(ExperimentSource const& source, Experiment const& experimen
     return header;
 }
 
-/// Whole trees of a few rays, evenly spread, for the page.
-std::vector<Segment> sample_paths(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
-                                  TraceOptions const& options, std::uint64_t& shown) {
+/// Whole trees of rays, spread evenly but not in step with a pattern's rows, so many that they have about
+/// `segments` where there are so many.
+///   each   segments that a ray has on average
+PagePaths sample_paths(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
+                       TraceOptions const& options, std::size_t segments, double each) {
     TraceContext const context{scene, optics, emission, options, power_unit(emission), 1};
-    std::vector<Segment> paths;
-    shown = std::min(rays_on_page, emission.rays());
-    for (std::uint64_t i = 0; i < shown; ++i) {
-        std::uint64_t const ray = shown > 1 ? (emission.rays() - 1) * i / (shown - 1) : 0;
-        auto const tree = trace_batch(context, ray, 1).log.segments;
-        paths.insert(paths.end(), tree.begin(), tree.end());
+    double const wanted = std::max(1.0, static_cast<double>(segments) / std::max(1.0, each));
+    std::uint64_t const rays = emission.rays();
+    bool const all = static_cast<double>(rays) <= wanted;
+    std::uint64_t const shown = all ? rays : static_cast<std::uint64_t>(wanted);
+    PagePaths paths;
+    paths.rays = shown;
+    std::uint64_t next = 0;
+    for (std::uint64_t i = 0; i < shown && paths.segments.size() < 4 * segments;
+         i += all ? rays_at_once : 1) {
+        std::uint64_t const end = all ? rays : (i + 1) * (rays / shown) + (i + 1) * (rays % shown) / shown;
+        std::uint64_t const ray = all ? i : next + mix64(i) % (end - next);
+        auto const tree = trace_batch(context, ray, all ? std::min(rays_at_once, rays - i) : 1).log.segments;
+        paths.segments.insert(paths.segments.end(), tree.begin(), tree.end());
+        next = end;
     }
-    return paths;
+    return thinned(paths, segments);
+}
+
+double segments_of_a_ray(Value const& summary) {
+    auto const number = [&](char const* key) {
+        Value const* const found = summary.find(key);
+        return found && std::holds_alternative<std::int64_t>(found->data)
+                   ? static_cast<double>(std::get<std::int64_t>(found->data))
+                   : 0.0;
+    };
+    return number("segments") / std::max(1.0, number("rays"));
 }
 
 } // namespace
@@ -73,7 +95,7 @@ void write_text(fs::path const& file, std::string const& text) {
 }
 
 OneRun run_once(ExperimentSource const& source, Experiment const& experiment, RunOptions const& options,
-                fs::path const& folder) {
+                fs::path const& folder, std::size_t segments) {
     OneRun run;
     run.scene = build_scene(experiment, options.models);
     WavelengthTable const optics(run.scene);
@@ -93,11 +115,11 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         for (std::string& warning : polarisation_warnings(run.scene, optics, emission, experiment.trace))
             run.scene.warnings.push_back(std::move(warning));
 
+    run.names = log_header(source, experiment, run.scene, optics, emission, facts);
     std::optional<RayLogWriter> log;
     bool const writes = !folder.empty();
     if (options.log_file || (experiment.log.on && writes))
-        log.emplace(options.log_file.value_or(folder / "rays.h5"),
-                    log_header(source, experiment, run.scene, optics, emission, facts),
+        log.emplace(options.log_file.value_or(folder / "rays.h5"), run.names,
                     RayLogOptions{experiment.log.compress, whole_chunks(experiment.log.shard_rows)},
                     options.resume ? LogStart::where_it_was_stopped : LogStart::anew);
     TraceOutcome const outcome = trace_scene(run.scene, optics, emission, experiment.trace, options.threads,
@@ -112,16 +134,16 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         return run;
     fs::create_directories(folder);
     for (DetectorRecord const& record : outcome.detectors)
-        if (std::string const picture =
-                write_detector_files(record, folder / "detectors", experiment.title, optics.wavelengths());
-            !picture.empty())
-            run.pictures.push_back("detectors/" + picture);
+        write_detector_files(record, folder / "detectors", experiment.title, optics.wavelengths());
     write_text(folder / "summary.json", to_json(run.summary) + "\n");
-    run.paths = sample_paths(run.scene, optics, emission, experiment.trace, run.rays_shown);
+    run.detectors = page_detectors(outcome.detectors);
+    run.paths =
+        sample_paths(run.scene, optics, emission, experiment.trace, segments, segments_of_a_ray(run.summary));
     return run;
 }
 
-OneRun drawn_again(Experiment const& experiment, Value summary, fs::path const& folder, ModelCache* models) {
+OneRun drawn_again(ExperimentSource const& source, Experiment const& experiment, Value summary,
+                   fs::path const& folder, ModelCache* models) {
     OneRun run;
     run.scene = build_scene(experiment, models);
     WavelengthTable const optics(run.scene);
@@ -132,19 +154,27 @@ OneRun drawn_again(Experiment const& experiment, Value summary, fs::path const& 
     if (auto const* failures = run.summary.find("failures"))
         for (Value const& failure : std::get<Array>(failures->data))
             run.failures.push_back(std::get<std::string>(failure.data));
-    if (fs::is_directory(folder / "detectors"))
-        for (fs::directory_entry const& entry : fs::directory_iterator(folder / "detectors"))
-            if (entry.path().extension() == ".png")
-                run.pictures.push_back("detectors/" + entry.path().filename().string());
-    run.paths = sample_paths(run.scene, optics, emission, experiment.trace, run.rays_shown);
+    run.names = log_header(source, experiment, run.scene, optics, emission,
+                           {program_name(), experiment_sha256(source), source.set});
+    run.detectors = page_detectors(run.scene.detectors, folder / "detectors");
+    run.paths = sample_paths(run.scene, optics, emission, experiment.trace, most_page_segments,
+                             segments_of_a_ray(run.summary));
     return run;
 }
 
 void write_page(fs::path const& folder, OneRun const& run, Value const& summary,
-                std::vector<std::string> const& keys, std::vector<SweepRow> const& rows) {
+                std::vector<std::string> const& keys, std::vector<SweepRow> const& rows,
+                std::size_t segments) {
     if (!folder.empty())
-        write_text(folder / "report.html",
-                   report_page({summary, run.scene, run.paths, run.rays_shown, run.pictures, keys, rows}));
+        write_text(folder / "report.html", report_page({summary,
+                                                        run.scene,
+                                                        run.names,
+                                                        thinned(run.paths, segments),
+                                                        run.detectors,
+                                                        keys,
+                                                        rows,
+                                                        {},
+                                                        {}}));
 }
 
 } // namespace sahl

@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t segments_on_step_page = 2000; // a sweep may have a thousand such pages
+
 struct Step {
     ExperimentSource source;
     std::string words; // "object.lens.move_mm[2] = 3.5"
@@ -59,7 +61,8 @@ struct Steps {
     OneRun first;
 
     /// Into a folder of its own, which gets its name when all of it is there.
-    OneRun run(Step const& step, fs::path const& place, RunOptions const& how) const {
+    ///   segments   of its paths that are kept, at most
+    OneRun run(Step const& step, fs::path const& place, RunOptions const& how, std::size_t segments) const {
         Experiment const read = read_experiment(step.source.tree, step.source.file);
         if (folder.empty())
             return run_once(step.source, read, how, {});
@@ -67,8 +70,8 @@ struct Steps {
         work += ".part";
         fs::remove_all(work);
         fs::create_directories(work);
-        OneRun run = run_once(step.source, read, how, work);
-        write_page(work, run, run.summary, {}, {});
+        OneRun run = run_once(step.source, read, how, work, segments);
+        write_page(work, run, run.summary, {}, {}, segments_on_step_page);
         fs::rename(work, place);
         return run;
     }
@@ -80,13 +83,13 @@ struct Steps {
         if (auto summary = folder.empty() ? std::nullopt : kept_summary(place)) {
             kept[i] = 1;
             if (i == 0)
-                run = drawn_again(read_experiment(step.source.tree, step.source.file), *summary, place,
-                                  how.models);
+                run = drawn_again(step.source, read_experiment(step.source.tree, step.source.file), *summary,
+                                  place, how.models);
             for (Value const& failure : std::get<Array>(summary->find("failures")->data))
                 failures[i].push_back(step.words + ": " + std::get<std::string>(failure.data));
             run.summary = std::move(*summary);
         } else {
-            run = this->run(step, place, how);
+            run = this->run(step, place, how, i == 0 ? most_page_segments : segments_on_step_page);
             for (std::string const& failure : run.failures)
                 failures[i].push_back(step.words + ": " + failure);
         }
@@ -152,8 +155,6 @@ RunResult run_sweep(ExperimentSource const& source, Experiment const& experiment
     if (!folder.empty()) {
         write_text(folder / "summary.json", to_json(result.summary) + "\n");
         write_text(folder / "sweep.csv", sweep_csv(keys, steps.rows));
-        for (std::string& picture : steps.first.pictures)
-            picture = "runs/000/" + picture;
         write_page(folder, steps.first, result.summary, keys, steps.rows);
     }
     return result;

@@ -1,62 +1,16 @@
-// Numbers, colours and the ledger's bar as they stand on the page.
+// Colours of wavelengths, pieces of HTML and JSON, and what a page draws of a mesh.
+#include "geometry/tessellate.h"
 #include "report/colour.h"
+#include "report/drawn_mesh.h"
 #include "report/html.h"
-#include "report/ledger.h"
+#include "report/json_text.h"
 #include "report/sample_run.h"
 #include "support/catch.h"
 
 #include <cmath>
-#include <numeric>
 
 using namespace sahl;
 using namespace sahl::report;
-
-namespace {
-
-/// All widths that the bar really has.
-double sum_of_widths(std::string const& html) {
-    double sum = 0.0;
-    for (auto at = html.find("width:"); at != std::string::npos; at = html.find("width:", at + 1))
-        sum += std::stod(html.substr(at + 6));
-    return sum;
-}
-
-} // namespace
-
-TEST_CASE("the parts of the ledger's bar add up to the whole") {
-    Value summary = sample::summary();
-    CHECK(sum_of_widths(ledger_html(summary)) == Approx(100.0).margin(1e-6));
-    auto const widths = bar_widths(summary);
-    REQUIRE(widths);
-    CHECK((*widths)[0] == Approx(81.23456));
-    CHECK((*widths)[4] == 0.0);
-
-    sample::entry(summary, {"energy_W", "error"}).data = 3.0; // more than was emitted: the bar still adds up
-    sample::entry(summary, {"energy_W", "cut"}).data = std::monostate{};
-    CHECK(sum_of_widths(ledger_html(summary)) == Approx(100.0).margin(1e-6));
-
-    for (char const* term : ledger_terms)
-        sample::entry(summary, {"energy_W", term}).data = 0.0;
-    CHECK_FALSE(bar_widths(summary));
-}
-
-TEST_CASE("the ledger closes up to its limit and not above") {
-    Value summary = sample::summary();
-    CHECK(ledger_closes(summary) == true);
-    sample::entry(summary, {"energy_W", "remainder"}).data = -1e-12;
-    CHECK(ledger_closes(summary) == true);
-    sample::entry(summary, {"energy_W", "remainder"}).data = -1.01e-12;
-    CHECK(ledger_closes(summary) == false);
-    sample::entry(summary, {"options", "limit_ledger"}).data = 1e-9;
-    CHECK(ledger_closes(summary) == true);
-    sample::entry(summary, {"energy_W", "remainder"}).data = std::monostate{};
-    CHECK(ledger_closes(summary) == false);
-    CHECK_FALSE(ledger_closes(Value{}));
-
-    CHECK(leaks_within_limit(summary) == true);
-    sample::entry(summary, {"events", "leak"}).data = std::int64_t{1}; // of 18 735
-    CHECK(leaks_within_limit(summary) == false);
-}
 
 TEST_CASE("wavelengths have the colours that people expect") {
     Rgb const blue = spectral_colour(486.1327e-9), yellow = spectral_colour(587.5618e-9),
@@ -102,35 +56,95 @@ TEST_CASE("colours of rays are dark enough on white and light enough on black") 
     CHECK(hex({2.0, -1.0, 0.0}) == "#ff0000");
 }
 
-TEST_CASE("numbers read as a person writes them") {
-    CHECK(figure(0.8123456) == "0.812346");
-    CHECK(figure(-0.25) == "−0.25");
-    CHECK(figure(1.5e-7) == "1.5×10<sup>−7</sup>");
-    CHECK(figure(2e12) == "2×10<sup>12</sup>");
-    CHECK(figure(0.0) == "0");
-    CHECK(figure(-0.0) == "0");
-    CHECK(figure(double(NAN)) == "not finite");
-    CHECK(count(0) == "0");
-    CHECK(count(999) == "999");
-    CHECK(count(1234567) == "1\u202F234\u202F567");
+TEST_CASE("coordinates are short, and text is escaped") {
     CHECK(coordinate(-0.001) == "0");
     CHECK(coordinate(12.5) == "12.5");
     CHECK(coordinate(100.0) == "100");
-    CHECK(per_cent(0.5) == "50 %");
-}
-
-TEST_CASE("rounding in a list is shown as 0, in a number of its own as it is") {
-    Value const list = parse_json("[1.5, -2e-24, 0.0]", "list"), number = parse_json("-2e-24", "number");
-    CHECK(shown(&list) == "(1.5, 0, 0)");
-    CHECK(shown(&number) == "−2×10<sup>−24</sup>");
-    CHECK(shown(nullptr) == "–");
-}
-
-TEST_CASE("text is cut between characters, and paths cannot become addresses") {
-    CHECK(shortened("größer", 6) == "größer");
-    CHECK(shortened("größer", 5) == "größ…");
     CHECK(escaped("<a href=\"x\">'&'\x02") == "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;\uFFFD");
-    CHECK(relative_url("javascript:alert(1)") == "javascript%3Aalert%281%29");
-    CHECK(relative_url("detectors/a b?c#d%.png") == "detectors/a%20b%3Fc%23d%25.png");
-    CHECK(relative_url("grün") == "gr%C3%BCn");
+}
+
+TEST_CASE("base64 is that of RFC 4648") {
+    auto const encoded = [](std::string_view text) {
+        std::string out;
+        append_base64(out, {reinterpret_cast<unsigned char const*>(text.data()), text.size()});
+        return out;
+    };
+    CHECK(encoded("") == ""); // section 10
+    CHECK(encoded("f") == "Zg==");
+    CHECK(encoded("fo") == "Zm8=");
+    CHECK(encoded("foo") == "Zm9v");
+    CHECK(encoded("foob") == "Zm9vYg==");
+    CHECK(encoded("fooba") == "Zm9vYmE=");
+    CHECK(encoded("foobar") == "Zm9vYmFy");
+    CHECK(encoded("\xFF\xFE\xFB") == "//77");
+}
+
+TEST_CASE("JSON of a page has commas where they belong, and no bracket that could end it") {
+    JsonText json;
+    json.open('{')
+        .entry("a<b", "</script>")
+        .key("list")
+        .open('[')
+        .value(1.5)
+        .value(std::uint64_t{2})
+        .value(NAN);
+    json.open('{')
+        .close('}')
+        .close(']')
+        .array("x", std::vector<std::uint16_t>{1, 2})
+        .entry("last", true)
+        .close('}');
+    std::string const text = json.take();
+    CHECK(text.find('<') == std::string::npos);
+    Value const read = parse_json(text, "text");
+    CHECK(std::get<std::string>(read.find("a<b")->data) == "</script>");
+    CHECK(std::get<Array>(read.find("list")->data).size() == 4);
+    CHECK(std::get<std::string>(read.find("x")->find("u16")->data) == "AQACAA==");
+    CHECK(std::get<bool>(read.find("last")->data));
+}
+
+TEST_CASE("a page draws the twelve edges of a cube, and the rim of a sheet") {
+    Mesh const cube = sample::cube(0.005);
+    TriangleSoup soup = cube.soup;
+    soup.face_names = {"surface"};
+    DrawnMesh const drawn = drawn_mesh(soup, 1000);
+    CHECK(drawn.creases.size() == 2 * 12); // not the diagonals of its sides
+    CHECK(drawn.borders.empty());
+    CHECK(drawn.triangles.size() == 3 * 12);
+    CHECK(drawn.places[0] == -5.0F); // mm
+    Tessellation const disk = tessellate(Disk{0.01, 0.0}, 48);
+    DrawnMesh const sheet = drawn_mesh(disk.soup, 10000);
+    CHECK(sheet.creases.empty());
+    CHECK(sheet.borders.size() == 2 * 48);
+}
+
+TEST_CASE("a lens has the edges of its rim, though no face of it has any") {
+    Tessellation const lens = tessellate(Lens{0.05, -0.05, 0.006, 0.02}, 96);
+    DrawnMesh const drawn = drawn_mesh(lens.soup, 100000);
+    CHECK(drawn.face_begins.size() == 4);
+    CHECK(drawn.face_begins.back() == drawn.triangles.size() / 3);
+    CHECK(drawn.creases.size() == 2 * 2 * 96);
+    CHECK(drawn.borders.empty());
+    CHECK(drawn.normals.size() == drawn.places.size());
+}
+
+TEST_CASE("a mesh with too many triangles is drawn with fewer, as large as it was") {
+    Tessellation const ball = tessellate(Sphere{0.01}, 600);
+    std::size_t const all = ball.soup.triangles.size();
+    REQUIRE(all > 50000);
+    for (std::size_t const most : {std::size_t{20000}, std::size_t{3000}, std::size_t{300}}) {
+        CAPTURE(most);
+        DrawnMesh const drawn = drawn_mesh(ball.soup, most);
+        CHECK(drawn.triangles_of_model == all);
+        CHECK(drawn.triangles.size() / 3 <= most);
+        CHECK(drawn.triangles.size() / 3 > most / 4);
+        float low = 0.0F, high = 0.0F;
+        for (float const x : drawn.places) {
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+        CHECK(low < -8.5F);
+        CHECK(high > 8.5F);
+        CHECK(drawn.borders.empty()); // corners went together with all of their triangles
+    }
 }

@@ -100,7 +100,15 @@ TEST_CASE("a sweep of two keys runs the whole grid, the last key first") {
     CHECK(columns.at("object.prism.turn_deg[2]") == std::vector<double>{-30, -30, -25, -25, -20, -20});
     CHECK(columns.at("source.laser.beam.rays") == std::vector<double>{1, 7, 1, 7, 1, 7});
     CHECK(columns.at("rays") == std::vector<double>{1, 7, 1, 7, 1, 7});
-    CHECK(bytes_of(scratch.path / "out" / "report.html").find("class=\"cell\"") != std::string::npos);
+    std::string const page = bytes_of(scratch.path / "out" / "report.html");
+    std::size_t const swept =
+        page.find(R"("sweep":{"keys":["object.prism.turn_deg[2]","source.laser.beam.rays"])");
+    REQUIRE(swept != std::string::npos);
+    std::string_view const row_begins = R"({"values":[)";
+    std::size_t rows = 0;
+    for (auto at = page.find(row_begins, swept); at != std::string::npos; at = page.find(row_begins, at + 1))
+        ++rows;
+    CHECK(rows == 6);
     CHECK(fs::exists(scratch.path / "out" / "runs" / "005" / "report.html"));
 }
 
