@@ -9,6 +9,7 @@ class App;
 namespace sahl {
 
 void add_trace(CLI::App& app, int& status);
+void add_render(CLI::App& app, int& status);
 void add_check(CLI::App& app, int& status);
 void add_chart(CLI::App& app, int& status);
 void add_explain(CLI::App& app, int& status);

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     int status = 0;
     sahl::add_trace(app, status);
+    sahl::add_render(app, status);
     sahl::add_check(app, status);
     sahl::add_chart(app, status);
     sahl::add_explain(app, status);

@@ -18,7 +18,7 @@ void ProgressLine::begin(std::string label) {
     start_ = Clock::now();
 }
 
-void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
+void ProgressLine::show(std::uint64_t done, std::uint64_t total, char const* of) {
     auto const now = Clock::now();
     if (!visible_ || done == 0 || now - last_ < std::chrono::milliseconds(100))
         return;
@@ -26,9 +26,9 @@ void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
     drawn_ = true;
     double const elapsed = std::chrono::duration<double>(now - start_).count();
     double const remaining = elapsed * static_cast<double>(total - done) / static_cast<double>(done);
-    std::fprintf(stderr, "\r\033[K%s: %.0f %% of %llu rays, %.0f s left", label_.c_str(),
+    std::fprintf(stderr, "\r\033[K%s: %.0f %% of %llu %s, %.0f s left", label_.c_str(),
                  100.0 * static_cast<double>(done) / static_cast<double>(total),
-                 static_cast<unsigned long long>(total), remaining);
+                 static_cast<unsigned long long>(total), of, remaining);
     std::fflush(stderr);
 }
 

@@ -13,7 +13,7 @@ class ProgressLine {
     explicit ProgressLine(bool quiet);
     ~ProgressLine();
     void begin(std::string label);
-    void show(std::uint64_t done, std::uint64_t total);
+    void show(std::uint64_t done, std::uint64_t total, char const* of = "rays");
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -49,7 +49,8 @@ unsigned char to_byte(float value) { // NaN becomes 0
 
 /// Writes `image` to `file`; returns OpenImageIO's complaint, empty if all went well.
 std::string write_pixels(std::string const& file, Format const& format, Image const& image,
-                         std::vector<std::pair<std::string, std::string>> const& metadata) {
+                         std::vector<std::pair<std::string, std::string>> const& metadata,
+                         std::vector<std::string> const& channel_names) {
     auto const out = OIIO::ImageOutput::create(std::string(format.reader));
     if (!out)
         return OIIO::geterror();
@@ -64,6 +65,8 @@ std::string write_pixels(std::string const& file, Format const& format, Image co
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", ""); // else the time of writing goes into the file
     }
+    if (!channel_names.empty())
+        spec.channelnames = channel_names;
     for (auto const& [key, value] : metadata)
         spec.attribute(key, value);
     if (!out->open(file, spec))
@@ -176,7 +179,8 @@ Image read_pixels(std::string const& name, Format const& format, std::uintmax_t 
 } // namespace
 
 void write_image(std::filesystem::path const& file, Image const& image,
-                 std::vector<std::pair<std::string, std::string>> const& metadata) {
+                 std::vector<std::pair<std::string, std::string>> const& metadata,
+                 std::vector<std::string> const& channel_names) {
     Format const* const format = format_of(file);
     if (format == nullptr || !format->writable)
         throw InputError(file.string(), "no image can be written with this ending", "use .exr or .png");
@@ -189,7 +193,7 @@ void write_image(std::filesystem::path const& file, Image const& image,
 
     std::filesystem::path part = file;
     part += ".part";
-    std::string problem = write_pixels(part.string(), *format, image, metadata);
+    std::string problem = write_pixels(part.string(), *format, image, metadata, channel_names);
     std::error_code failed;
     if (problem.empty()) {
         std::filesystem::rename(part, file, failed);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,11 +32,18 @@ struct Absorber {};
 struct Diffuse {
     double reflectance = 0.0; // [0, 1]
 };
-/// For pictures; in tracing it reflects its share like a mirror and absorbs the rest.
+/// Cubes in turn, from the object's origin on.
+struct Checker {
+    double size = 1.0;     // m, in the object's frame
+    Colour other{0, 0, 0}; // what ambient and diffuse are multiplied by in every second one
+};
+/// For pictures (B. T. Phong, Commun. ACM 18 (1975) 311); in tracing it reflects its share like a mirror and
+/// absorbs the rest.
 struct Paint {
-    std::array<double, 3> ambient{0, 0, 0}, diffuse{0, 0, 0}, specular{0, 0, 0};
+    Colour ambient{0, 0, 0}, diffuse{0, 0, 0}, specular{0, 0, 0};
     double shininess = 1.0, reflect = 0.0;
-    std::string texture;
+    std::string texture; // file of a picture that multiplies ambient and diffuse, or empty
+    std::optional<Checker> checker{};
 };
 
 /// A boundary as model files describe it: of what arrives, `clear` meets the boundary of the two media, and

@@ -41,6 +41,7 @@ ExperimentSource load_experiment(fs::path const& file, std::vector<std::string> 
 RunResult run_experiment(ExperimentSource const& source, RunOptions const& options) {
     Experiment const experiment =
         read_experiment(source.tree, source.file); // all errors of input, before a file is made
+    need_sources(experiment);
     bool const sweeps = !experiment.sweep.empty();
     std::optional<RunFolder> folder;
     bool const logs = options.log_file || experiment.log.on;

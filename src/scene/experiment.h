@@ -7,6 +7,7 @@
 #include "materials/surface.h"
 #include "math/ids.h"
 #include "math/vec.h"
+#include "scene/picture.h"
 #include "scene/value.h"
 
 #include <cstdint>
@@ -201,6 +202,7 @@ struct Experiment {
     Limits limits;
     SweepSpec sweep;
     std::optional<GoalSpec> goal;
+    Picture picture;
     std::vector<std::string> warnings; // what a user should know, e.g. a formula used outside its range
 };
 

@@ -1,4 +1,4 @@
-// In: nothing. Out: the keys of the experiment as a whole, of its options, of groups, sweeps and pictures.
+// In: nothing. Out: the keys of the experiment as a whole, of its options, of groups and sweeps.
 #include "scene/keys.h"
 
 namespace sahl {
@@ -26,13 +26,14 @@ constexpr Key experiment_keys[] = {
     {"limits", Kind::table, {}, "when a run counts as failed"},
     {"group", Kind::tables, {}, "what moves as one"},
     {"object", Kind::tables, {}, "bodies and open surfaces"},
-    {"source", Kind::tables, {}, "where light comes from; at least one"},
+    {"source", Kind::tables, {}, "where light comes from; `sahl trace` needs at least one"},
     {"detector", Kind::tables, {}, "where light is counted"},
     {"sweep", Kind::table, {}, "a run for each value of a key, or of several"},
     {"goal", Kind::table, {}, "runs until a figure of the summary is least, greatest or a given one"},
-    {"camera", Kind::table, {}, "for pictures"},
-    {"light", Kind::tables, {}, "for pictures"},
-    {"background", Kind::table, {}, "for pictures"},
+    {"camera", Kind::table, {}, "for pictures: where they are seen from"},
+    {"light", Kind::tables, {}, "for pictures: lamps, which shine on paint"},
+    {"background", Kind::table, {}, "for pictures: what is seen where nothing is"},
+    {"picture", Kind::table, {}, "for pictures: how they are made"},
 };
 
 constexpr Key trace_keys[] = {
@@ -140,29 +141,6 @@ constexpr Key goal_range_keys[] = {
     {"to", Kind::number, Required{}, "the other"},
 };
 
-constexpr Key camera_keys[] = {
-    {"at_mm", Kind::three, Required{}, "where it stands"},
-    {"look_at_mm", Kind::three, Required{}, "what is in the middle of the picture"},
-    {"up", Kind::three, {}, "what is up in the picture"},
-    {"fov_deg", Kind::number, 35.0, "the angle of view from bottom to top", {0.0, 179.0, true}},
-    {"resolution", Kind::two, {}, "pixels across and down", {1.0, 65536.0}},
-    {"samples", Kind::integer, 16.0, "rays for each pixel", {1.0, 1e9}},
-};
-
-constexpr Key light_keys[] = {
-    {"point", Kind::table, Required{}, "a lamp at a point"},
-    {"intensity", Kind::three, Repeated{3, 1.0}, "red, green, blue", not_negative},
-};
-
-constexpr Key light_point_keys[] = {
-    {"at_mm", Kind::three, Required{}, "where it is"},
-};
-
-constexpr Key background_keys[] = {
-    {"color", Kind::three, {}, "red, green, blue", not_negative},
-    {"image", Kind::text, {}, "or a picture all around, relative to the experiment's file"},
-};
-
 } // namespace
 
 KeyTable const keys::experiment{"the experiment", "The top of the file.", experiment_keys};
@@ -186,23 +164,20 @@ KeyTable const keys::goal{
     "`minimise`, `maximise`, `reach`.",
     goal_keys};
 KeyTable const keys::goal_range{"goal range", "Where a goal seeks.", goal_range_keys};
-KeyTable const keys::camera{"[camera]", "For pictures; it has no part in tracing.", camera_keys};
-KeyTable const keys::light{"[[light]]", "For pictures; it has no part in tracing.", light_keys};
-KeyTable const keys::light_point{"light point", "A lamp of a picture.", light_point_keys};
-KeyTable const keys::background{"[background]", "For pictures: what is seen where nothing is.",
-                                background_keys};
-
 std::span<KeyTable const* const> key_tables() {
     static constexpr KeyTable const* all[] = {
-        &keys::experiment,  &keys::medium,       &keys::sellmeier,   &keys::cauchy,    &keys::surface,
-        &keys::paint,       &keys::trace,        &keys::log,         &keys::limits,    &keys::group,
-        &keys::object,      &keys::material,     &keys::shape,       &keys::sphere,    &keys::box,
-        &keys::cylinder,    &keys::lens,         &keys::prism,       &keys::plane,     &keys::rectangle,
-        &keys::disk,        &keys::cone,         &keys::corner_cube, &keys::quadric,   &keys::conic_mirror,
-        &keys::source,      &keys::beam,         &keys::profile,     &keys::point,     &keys::lambertian,
-        &keys::spectrum,    &keys::polarisation, &keys::detector,    &keys::far_field, &keys::sweep,
-        &keys::sweep_range, &keys::goal,         &keys::goal_range,  &keys::camera,    &keys::light,
-        &keys::light_point, &keys::background};
+        &keys::experiment,   &keys::medium,       &keys::sellmeier,  &keys::cauchy,
+        &keys::surface,      &keys::paint,        &keys::checker,    &keys::trace,
+        &keys::log,          &keys::limits,       &keys::group,      &keys::object,
+        &keys::material,     &keys::shape,        &keys::sphere,     &keys::box,
+        &keys::cylinder,     &keys::lens,         &keys::prism,      &keys::plane,
+        &keys::rectangle,    &keys::disk,         &keys::cone,       &keys::corner_cube,
+        &keys::quadric,      &keys::conic_mirror, &keys::source,     &keys::beam,
+        &keys::profile,      &keys::point,        &keys::lambertian, &keys::spectrum,
+        &keys::polarisation, &keys::detector,     &keys::far_field,  &keys::sweep,
+        &keys::sweep_range,  &keys::goal,         &keys::goal_range, &keys::camera,
+        &keys::light,        &keys::light_point,  &keys::light_spot, &keys::light_directional,
+        &keys::background,   &keys::picture};
     return all;
 }
 

@@ -61,10 +61,11 @@ struct KeyTable {
 
 namespace keys {
 // keys.cpp
-extern KeyTable const experiment, trace, log, limits, group, sweep, sweep_range, goal, goal_range, camera,
-    light, light_point, background;
+extern KeyTable const experiment, trace, log, limits, group, sweep, sweep_range, goal, goal_range;
+// keys_picture.cpp
+extern KeyTable const camera, light, light_point, light_spot, light_directional, background, picture;
 // keys_materials.cpp
-extern KeyTable const medium, sellmeier, cauchy, surface, paint;
+extern KeyTable const medium, sellmeier, cauchy, surface, paint, checker;
 // keys_objects.cpp
 extern KeyTable const object, material, shape, sphere, box, cylinder, lens, prism, plane, rectangle, disk,
     cone, corner_cube, quadric, conic_mirror;

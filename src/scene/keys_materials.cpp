@@ -64,7 +64,18 @@ constexpr Key paint_keys[] = {
     {"specular", Kind::three, Repeated{3, 0.0}, "red, green, blue", not_negative},
     {"shininess", Kind::number, 1.0, "exponent of the highlight", not_negative},
     {"reflect", Kind::number, 0.0, "share that is reflected as by a mirror", share},
-    {"texture", Kind::text, {}, "a picture, relative to the experiment's file"},
+    {"texture",
+     Kind::text,
+     {},
+     "a picture, relative to the experiment's file, whose colours multiply `ambient` and `diffuse`"},
+    {"checker", Kind::table, {}, "or two colours in turn"},
+};
+
+constexpr Key checker_keys[] = {
+    {"size_mm", Kind::number, Required{}, "side of the cubes, from the object's origin on, in its own frame",
+     above_zero},
+    {"other", Kind::three, Repeated{3, 0.0},
+     "red, green, blue: what `ambient` and `diffuse` are multiplied by in every second cube", not_negative},
 };
 
 } // namespace
@@ -81,6 +92,7 @@ KeyTable const keys::cauchy{"cauchy", "λ in µm.", cauchy_keys};
 KeyTable const keys::surface{
     "surface", "Exactly one of metal, n with k, reflect and transmit, absorb, diffuse and paint.",
     surface_keys};
-KeyTable const keys::paint{"paint", "Colours are those of a picture.", paint_keys};
+KeyTable const keys::paint{"paint", "Colours are linear, as light adds up; 1 is white.", paint_keys};
+KeyTable const keys::checker{"checker", "A chess board in space, cut by the surface.", checker_keys};
 
 } // namespace sahl

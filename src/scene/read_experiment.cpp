@@ -8,6 +8,7 @@
 #include "scene/read_media.h"
 #include "scene/read_objects.h"
 #include "scene/read_options.h"
+#include "scene/read_picture.h"
 #include "scene/read_sources.h"
 #include "scene/read_surfaces.h"
 #include "scene/read_sweep.h"
@@ -71,6 +72,13 @@ void warn_of_polarisation(Experiment& experiment) {
 
 } // namespace
 
+void need_sources(Experiment const& experiment) {
+    if (experiment.sources.empty())
+        throw InputError(experiment.file.string(), "there is no source of light",
+                         "add [[source]] with a name and, for instance, "
+                         "beam = {from_mm = [0, 0, -50], toward = [0, 0, 1], radius_mm = 2, rays = 1000}");
+}
+
 Value read_experiment_file(std::filesystem::path const& path, std::string& text) {
     text = file_text(path);
     return path.extension() == ".json" ? parse_json(text, path.string()) : parse_toml(text, path.string());
@@ -85,7 +93,7 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     experiment.trace = read_trace(tree);
     experiment.log = read_log(tree);
     experiment.limits = read_limits(tree);
-    check_picture_keys(tree);
+    experiment.picture = read_picture(tree, folder);
 
     MediaBook media(tree.find("medium"), read_catalogues(tree.find("catalogues"), folder));
     experiment.surroundings = media.refer(top.text("surroundings"), top.place("surroundings"));
@@ -96,10 +104,8 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     experiment.detectors = read_detectors(tables_in(tree, "detector"), groups);
     experiment.media = media.media();
 
-    if (experiment.sources.empty())
-        throw InputError(file.string(), "there is no source of light",
-                         "add [[source]] with a name and, for instance, "
-                         "beam = {from_mm = [0, 0, -50], toward = [0, 0, 1], radius_mm = 2, rays = 1000}");
+    if (experiment.sources.empty() && !experiment.picture.camera)
+        need_sources(experiment);
     check_names(experiment);
     std::vector<double> const wavelengths = all_wavelengths(experiment.sources);
     experiment.warnings = check_media(media, wavelengths);

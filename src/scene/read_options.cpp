@@ -80,13 +80,4 @@ Limits read_limits(Value const& tree) {
     return {fields.number("leak"), fields.number("ledger")};
 }
 
-void check_picture_keys(Value const& tree) {
-    if (Value const* camera = tree.find("camera"))
-        Fields(*camera, keys::camera);
-    for (Value const& light : tables_in(tree, "light"))
-        Fields(Fields(light, keys::light).at("point"), keys::light_point);
-    if (Value const* background = tree.find("background"))
-        Fields(*background, keys::background).only_one_of({"color", "image"});
-}
-
 } // namespace sahl

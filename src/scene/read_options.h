@@ -10,7 +10,4 @@ TraceOptions read_trace(Value const& tree);
 LogOptions read_log(Value const& tree);
 Limits read_limits(Value const& tree);
 
-/// Looks at camera, lights and background, which have no part in tracing.
-void check_picture_keys(Value const& tree);
-
 } // namespace sahl

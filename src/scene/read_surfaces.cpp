@@ -7,7 +7,6 @@
 #include "scene/read_table.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sahl {
 
@@ -48,10 +47,22 @@ Paint read_paint(Value const& table, std::filesystem::path const& folder) {
     Fields const fields(table, keys::paint);
     auto const colour = [&](std::string_view key) {
         auto const rgb = fields.numbers(key);
-        return std::array<double, 3>{rgb[0], rgb[1], rgb[2]};
+        return Colour{rgb[0], rgb[1], rgb[2]};
     };
-    Paint paint{colour("ambient"),          colour("diffuse"),        colour("specular"),
-                fields.number("shininess"), fields.number("reflect"), {}};
+    Paint paint{colour("ambient"),
+                colour("diffuse"),
+                colour("specular"),
+                fields.number("shininess"),
+                fields.number("reflect"),
+                {},
+                {}};
+    if (fields.has("checker")) {
+        Fields const checker(fields.at("checker"), keys::checker);
+        auto const other = checker.numbers("other");
+        paint.checker = Checker{checker.number("size_mm") / 1000.0, {other[0], other[1], other[2]}};
+        if (fields.has("texture"))
+            fields.only_one_of({"texture", "checker"});
+    }
     if (fields.has("texture"))
         paint.texture = existing_file(folder, fields.text("texture"), fields.place("texture")).string();
     return paint;

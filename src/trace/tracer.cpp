@@ -40,10 +40,25 @@ class Grove {
             extent_ = extent_of(*context.scene.bvh);
     }
 
+    /// Rays that no source emits: somebody looks on, and nothing is summed.
+    void watch(TreeWatch& watch, Bvh::Start const* start) {
+        watch_ = &watch;
+        start_ = start;
+    }
     void grow(std::uint64_t first, std::uint32_t count);
+    void grow(std::uint64_t first, std::span<Ray const> rays);
 
   private:
-    void plant(std::uint64_t first, std::uint32_t count);
+    void begin(std::uint64_t first, std::size_t count);
+    void plant(Ray const& ray);
+    void grow_generations();
+    std::size_t number_of(Branch const& branch) const {
+        return static_cast<std::size_t>(&branch - generation_.data());
+    }
+    void add(ExactSum& sum, double power) {
+        if (!watch_)
+            sum.add(power, context_.unit);
+    }
     void trace(Branch const& branch);
     void follow_rounding(Branch const& branch, Interface const& interface);
     Event cut_or_none(Branch const& branch) const;
@@ -65,6 +80,8 @@ class Grove {
     TraceContext const& context_;
     BatchResult& result_;
     SegmentSink& log_;
+    TreeWatch* watch_ = nullptr;
+    Bvh::Start const* start_ = nullptr;
     std::uint64_t seed_;
     std::uint64_t first_ = 0;
     std::vector<Ray> rays_;
@@ -80,17 +97,28 @@ class Grove {
     std::vector<Segment> selected_;
 };
 
+void Grove::begin(std::uint64_t first, std::size_t count) {
+    first_ = first;
+    rays_.clear();
+    next_index_.assign(count, 0);
+    generation_.clear();
+    spreads_.clear();
+}
+
+void Grove::grow(std::uint64_t first, std::span<Ray const> rays) {
+    begin(first, rays.size());
+    for (Ray const& ray : rays)
+        plant(ray);
+    watch_->plant(generation_, rays);
+    grow_generations();
+}
+
 void Grove::grow(std::uint64_t first, std::uint32_t count) {
-    plant(first, count);
+    begin(first, count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        plant(context_.emission.ray(first + i, context_.again));
     std::size_t const hits_before = result_.hits.size();
-    while (!generation_.empty()) {
-        for (Branch const& branch : generation_)
-            trace(branch);
-        std::swap(generation_, next_generation_);
-        next_generation_.clear();
-        std::swap(spreads_, next_spreads_);
-        next_spreads_.clear();
-    }
+    grow_generations();
     if (!segments_.empty())
         order_by_ray();
     if (context_.filters)
@@ -101,6 +129,19 @@ void Grove::grow(std::uint64_t first, std::uint32_t count) {
     // generations lie one after another: put each ray's hits together, their order kept
     std::stable_sort(result_.hits.begin() + static_cast<std::ptrdiff_t>(hits_before), result_.hits.end(),
                      [](DetectorHit const& a, DetectorHit const& b) { return a.ray < b.ray; });
+}
+
+void Grove::grow_generations() {
+    while (!generation_.empty()) {
+        for (Branch const& branch : generation_)
+            trace(branch);
+        std::swap(generation_, next_generation_);
+        next_generation_.clear();
+        std::swap(spreads_, next_spreads_);
+        next_spreads_.clear();
+        if (watch_)
+            watch_->next_generation();
+    }
 }
 
 /// Which hits count, and which paths are logged.
@@ -155,35 +196,27 @@ void Grove::order_by_ray() {
         by_ray_[place_[segment.ray - first_]++] = segment;
 }
 
-void Grove::plant(std::uint64_t first, std::uint32_t count) {
-    first_ = first;
-    rays_.clear();
-    next_index_.assign(count, 0);
-    generation_.clear();
-    spreads_.clear();
-    for (std::uint32_t i = 0; i < count; ++i) {
-        Ray const ray = context_.emission.ray(first + i, context_.again);
-        rays_.push_back(ray);
-        result_.tally.emitted.add(ray.power, context_.unit);
-        Branch root;
-        root.origin = ray.origin;
-        root.direction = ray.direction;
-        root.power = ray.power;
-        root.ray = i;
-        if (finite(ray.origin) && finite(ray.direction) && ray.direction != dvec3(0.0)) {
-            Bvh::Start const start = context_.scene.bvh->start_at(ray.origin, ray.direction);
-            root.inside = start.inside;
-            root.left = start.on;
-            root.fate = start.fits ? Event::none : Event::invalid;
-        } else {
-            root.fate = Event::invalid;
-        }
-        root.body = body_at(context_.scene, root.inside);
-        root.medium = medium_of(context_.scene, root.body);
-        generation_.push_back(root);
-        if (context_.options.digits_lost)
-            spreads_.emplace_back(std::max(extent_, largest_coordinate(ray.origin)));
+void Grove::plant(Ray const& ray) {
+    add(result_.tally.emitted, ray.power);
+    Branch root;
+    root.origin = ray.origin;
+    root.direction = ray.direction;
+    root.power = ray.power;
+    root.ray = static_cast<std::uint32_t>(rays_.size());
+    if (finite(ray.origin) && finite(ray.direction) && ray.direction != dvec3(0.0)) {
+        Bvh::Start const start = start_ ? *start_ : context_.scene.bvh->start_at(ray.origin, ray.direction);
+        root.inside = start.inside;
+        root.left = start.on;
+        root.fate = start.fits ? Event::none : Event::invalid;
+    } else {
+        root.fate = Event::invalid;
     }
+    root.body = body_at(context_.scene, root.inside);
+    root.medium = medium_of(context_.scene, root.body);
+    rays_.push_back(ray);
+    generation_.push_back(root);
+    if (context_.options.digits_lost)
+        spreads_.emplace_back(std::max(extent_, largest_coordinate(ray.origin)));
 }
 
 Event Grove::cut_or_none(Branch const& branch) const {
@@ -212,11 +245,11 @@ void Grove::follow_rounding(Branch const& branch, Interface const& interface) {
 void Grove::trace(Branch const& branch) {
     bool const follows = context_.options.digits_lost;
     if (follows)
-        spread_ = spreads_[static_cast<std::size_t>(&branch - generation_.data())];
+        spread_ = spreads_[number_of(branch)];
     if (Event const fate = cut_or_none(branch); fate != Event::none) {
         if (fate == Event::invalid)
             return lose(branch, fate, branch.power, 0.0);
-        result_.tally.cut.add(branch.power, context_.unit);
+        add(result_.tally.cut, branch.power);
         return end(branch, fate, branch.power, 0.0, branch.optical_path, nullptr);
     }
     Interface interface;
@@ -230,7 +263,8 @@ void Grove::trace(Branch const& branch) {
     result_.tally.recovered += interface.recovered;
     WavelengthId const wavelength = rays_[branch.ray].wavelength;
     if (meeting == Meeting::nothing) {
-        result_.tally.escape(branch.power, branch.direction, wavelength);
+        if (!watch_)
+            result_.tally.escape(branch.power, branch.direction, wavelength);
         for (DetectorId const sphere : context_.scene.sphere_detectors)
             detect_escape(branch, sphere);
         return end(branch, Event::escaped, branch.power, INFINITY, INFINITY, nullptr);
@@ -239,7 +273,7 @@ void Grove::trace(Branch const& branch) {
         follow_rounding(branch, interface);
     double const optical_path =
         branch.optical_path + context_.optics.index(branch.medium, wavelength) * interface.t;
-    double const power = attenuate(branch, interface);
+    double power = watch_ ? branch.power : attenuate(branch, interface);
     if (interface.detector) {
         DetectorSpec const& detector = context_.scene.detectors[interface.detector->value];
         bool const counts = interface.against_facing || detector.back;
@@ -258,7 +292,9 @@ void Grove::trace(Branch const& branch) {
     Draw const draw{seed_, first_ + branch.ray, branch.place};
     Branches branches = interact(context_.scene, context_.optics, interface, branch.direction, branch.medium,
                                  wavelength, draw);
-    if (branches.absorbed > 0.0) {
+    if (watch_) {
+        power = watch_->meet(number_of(branch), branch, interface, branches);
+    } else if (branches.absorbed > 0.0) {
         result_.tally.absorbed.add(power * branches.absorbed, context_.unit);
         result_.tally.absorbed_at_face[interface.face.value].add(power * branches.absorbed, context_.unit);
     }
@@ -371,6 +407,8 @@ void Grove::push_children(Branch const& branch, Interface const& interface, Bran
         child.fate = outgoing.fate;
         child.inside = outgoing.crosses ? interface.inside_after : interface.inside_before;
         child.left = interface.left_by(outgoing.crosses);
+        if (watch_)
+            watch_->push(number_of(branch), child, outgoing);
         if (context_.options.digits_lost)
             next_spreads_.emplace_back(spread_).turn(branch.direction, bend_, outgoing.event);
     }
@@ -394,7 +432,7 @@ void Grove::pass_on(Branch const& branch, Interface const& interface, double pow
 }
 
 void Grove::lose(Branch const& branch, Event event, double power, double t) {
-    result_.tally.error.add(std::isfinite(power) ? power : 0.0, context_.unit);
+    add(result_.tally.error, std::isfinite(power) ? power : 0.0);
     dvec3 const at = t > 0.0 && std::isfinite(t) ? branch.origin + t * branch.direction : branch.origin;
     result_.lost.push_back({first_ + branch.ray, event, at, power, branch.origin, branch.direction});
     end(branch, event, power, t, branch.optical_path, nullptr);
@@ -403,6 +441,11 @@ void Grove::lose(Branch const& branch, Event event, double power, double t) {
 void Grove::end(Branch const& branch, Event ended, double power, double length, double optical_path,
                 Interface const* interface) {
     ++result_.tally.ended[static_cast<std::size_t>(ended)];
+    if (watch_) {
+        if (!interface)
+            watch_->lose(number_of(branch), branch, ended);
+        return;
+    }
     std::uint32_t const index = next_index_[branch.ray]++;
     std::uint64_t const number = first_ + branch.ray;
     double const digits_lost = context_.options.digits_lost ? spread_.digits_lost() : 0.0;
@@ -450,6 +493,18 @@ BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::u
         grove.grow(first + done,
                    static_cast<std::uint32_t>(std::min<std::uint64_t>(rays_together, count - done)));
     return result;
+}
+
+std::array<std::uint64_t, event_names.size()> trace_rays(TraceContext const& context, std::uint64_t first,
+                                                         std::span<Ray const> rays, TreeWatch& watch,
+                                                         Bvh::Start const* start) {
+    BatchResult result{Tally(context.unit, 0, 0, 0), {}, {}, {}, {}};
+    Grove grove(context, result, result.log);
+    grove.watch(watch, start);
+    for (std::size_t done = 0; done < rays.size(); done += rays_together)
+        grove.grow(first + done,
+                   rays.subspan(done, std::min<std::size_t>(rays_together, rays.size() - done)));
+    return result.tally.ended;
 }
 
 } // namespace sahl

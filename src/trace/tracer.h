@@ -8,10 +8,13 @@
 #include "trace/sources.h"
 #include "trace/spread.h"
 #include "trace/tally.h"
+#include "trace/tree_watch.h"
 #include "trace/wavelengths.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sahl {
@@ -66,5 +69,12 @@ inline constexpr std::uint64_t rays_per_batch = 4096;
 /// sink   takes the segments that are logged, if given, as soon as their trees are complete
 BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::uint64_t count,
                         SegmentSink* sink = nullptr);
+
+/// The same for rays that no source emits, the first of them with the number `first`: nothing is counted but
+/// the events that ended segments; a watch sees the trees. Scenes with detectors are not for this.
+///   start   what all of them start in, where that is known
+std::array<std::uint64_t, event_names.size()> trace_rays(TraceContext const& context, std::uint64_t first,
+                                                         std::span<Ray const> rays, TreeWatch& watch,
+                                                         Bvh::Start const* start = nullptr);
 
 } // namespace sahl

@@ -1,0 +1,117 @@
+#include "render/pixel_samples.h"
+
+#include "math/random.h"
+#include "math/sequences.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sahl {
+
+namespace {
+
+constexpr std::size_t steps = 1024; // of a filter: each is 1/256 of a pixel wide or less
+
+/// What a pixel's numbers are drawn for.
+enum class Stream : std::uint64_t { film = 1, lens = 2, colour = 3 };
+
+std::uint64_t key(std::uint64_t seed, std::uint64_t pixel, Stream stream) {
+    return mix64(mix64(seed + 0x9E3779B97F4A7C15 * static_cast<std::uint64_t>(stream)) + pixel);
+}
+
+double fraction(std::uint64_t word) {
+    return static_cast<double>(word >> 11) * 0x1p-53;
+}
+
+} // namespace
+
+double filter_radius(PixelFilter filter) {
+    switch (filter) {
+    case PixelFilter::box:
+        return 0.5;
+    case PixelFilter::tent:
+        return 1.0;
+    case PixelFilter::gaussian:
+        return 1.5;
+    case PixelFilter::mitchell:
+        return 2.0;
+    }
+    return 0.5;
+}
+
+double filter_value(PixelFilter filter, double x) {
+    x = std::abs(x);
+    if (x > filter_radius(filter))
+        return 0.0;
+    switch (filter) {
+    case PixelFilter::box:
+        return 1.0;
+    case PixelFilter::tent:
+        return 1.0 - x;
+    case PixelFilter::gaussian: // of half a pixel's deviation
+        return std::exp(-2.0 * x * x);
+    case PixelFilter::mitchell:
+        return x < 1.0 ? ((7.0 * x - 12.0) * x * x + 16.0 / 3.0) / 6.0
+                       : (((-7.0 / 3.0 * x + 12.0) * x - 20.0) * x + 32.0 / 3.0) / 6.0;
+    }
+    return 0.0;
+}
+
+FilterPlaces::FilterPlaces(PixelFilter filter)
+    : radius_(filter_radius(filter)), box_(filter == PixelFilter::box) {
+    double total = 0.0, net = 0.0;
+    for (std::size_t i = 0; i < steps; ++i) {
+        double const x = radius_ * (2.0 * (static_cast<double>(i) + 0.5) / steps - 1.0);
+        double const value = filter_value(filter, x);
+        sum_.push_back(total += std::abs(value));
+        sign_.push_back(value < 0.0 ? -1.0 : 1.0);
+        net += value;
+    }
+    mean_weight_ = net / total;
+    for (double& sum : sum_)
+        sum /= total;
+}
+
+FilterPlaces::Place FilterPlaces::at(double u) const {
+    if (box_)
+        return {u - 0.5, 1.0};
+    auto const step = std::min<std::size_t>(
+        static_cast<std::size_t>(std::upper_bound(sum_.begin(), sum_.end(), u) - sum_.begin()), steps - 1);
+    double const before = step == 0 ? 0.0 : sum_[step - 1];
+    double const share = std::clamp((u - before) / (sum_[step] - before), 0.0, 1.0);
+    return {radius_ * (2.0 * (static_cast<double>(step) + share) / steps - 1.0), sign_[step]};
+}
+
+PixelSamples::PixelSamples(PictureOptions const& options, std::uint64_t seed)
+    : pattern_(options.pattern), samples_(options.samples),
+      side_(static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(options.samples)) - 1e-9))),
+      seed_(seed), filter_(options.filter) {}
+
+dvec2 PixelSamples::square(std::uint64_t pixel, std::uint32_t index) const {
+    if (pattern_ == SamplePattern::sobol)
+        return samples_ == 1 ? dvec2(0.5) : sobol_2d(index, key(seed_, pixel, Stream::film));
+    // where the samples do not fill the square of cells, they are spread over it
+    std::uint64_t const cells = std::uint64_t{side_} * side_;
+    std::uint64_t const cell = index * cells / samples_;
+    dvec2 within(0.5);
+    if (pattern_ == SamplePattern::jittered) {
+        std::uint64_t const k = mix64(key(seed_, pixel, Stream::film) + index);
+        within = {fraction(k), fraction(mix64(k))};
+    }
+    return (dvec2(cell % side_, cell / side_) + within) / static_cast<double>(side_);
+}
+
+PixelSample PixelSamples::at(std::uint64_t pixel, std::uint32_t index) const {
+    dvec2 const place = square(pixel, index);
+    auto const x = filter_.at(place.x), y = filter_.at(place.y);
+    PixelSample sample;
+    sample.offset = {x.offset, y.offset};
+    sample.weight = x.weight * y.weight;
+    sample.lens = sobol_2d(index, key(seed_, pixel, Stream::lens));
+    // the golden ratio's multiples share out the circle as evenly as any number of them can
+    double const turn = fraction(key(seed_, pixel, Stream::colour)) + 0.6180339887498949 * index;
+    sample.turn = turn - std::floor(turn);
+    return sample;
+}
+
+} // namespace sahl

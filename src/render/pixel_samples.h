@@ -1,0 +1,63 @@
+// In: how many samples a pixel gets. Out: where each lies and how it weighs: patterns and filters.
+#pragma once
+
+#include "math/vec.h"
+#include "scene/picture.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sahl {
+
+/// A filter as a way to place samples: as densely as its size, with the sign as weight, so that each pixel
+/// has samples of its own and no other (M. Ernst, M. Stamminger, G. Greiner, "Filter importance sampling",
+/// IEEE Symposium on Interactive Ray Tracing (2006)).
+class FilterPlaces {
+  public:
+    explicit FilterPlaces(PixelFilter filter);
+    struct Place {
+        double offset; // from the pixel's middle, in pixels
+        double weight; // 1 or −1
+    };
+    /// u in [0, 1)
+    Place at(double u) const;
+    double mean_weight() const { return mean_weight_; }
+
+  private:
+    double radius_, mean_weight_ = 1.0;
+    bool box_;
+    std::vector<double> sum_; // of |f| up to the end of each step, from −radius to radius, of all: 1
+    std::vector<double> sign_;
+};
+
+/// One-dimensional filters, 0 beyond their radius, at x pixels from the middle. Mitchell: D. P. Mitchell and
+/// A. N. Netravali, Computer Graphics (SIGGRAPH) 22 (1988) 221, with B = C = 1/3.
+double filter_value(PixelFilter filter, double x);
+double filter_radius(PixelFilter filter);
+
+struct PixelSample {
+    dvec2 offset{0.0}; // from the pixel's middle, in pixels
+    double weight = 1.0;
+    dvec2 lens{0.0};   // in [0, 1)²
+    double turn = 0.0; // in [0, 1): what shifts its wavelengths
+};
+
+class PixelSamples {
+  public:
+    PixelSamples(PictureOptions const& options, std::uint64_t seed);
+    /// Sample `index` of options.samples, of the pixel with this number.
+    PixelSample at(std::uint64_t pixel, std::uint32_t index) const;
+    /// Of many samples.
+    double mean_weight() const { return filter_.mean_weight() * filter_.mean_weight(); }
+
+  private:
+    dvec2 square(std::uint64_t pixel, std::uint32_t index) const;
+
+    SamplePattern pattern_;
+    std::uint32_t samples_, side_; // side_²: cells of a regular or jittered pattern
+    std::uint64_t seed_;
+    FilterPlaces filter_;
+};
+
+} // namespace sahl

@@ -1,0 +1,165 @@
+#include "render/tree_shader.h"
+
+#include "math/overloaded.h"
+#include "optics/snell.h"
+#include "render/surface_colour.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sahl {
+
+namespace {
+
+constexpr double least_shadow_light = 1e-4; // below half a step of the 8 bits of a PNG
+
+double brightest(dvec3 const& colour) {
+    return std::max({colour.x, colour.y, colour.z});
+}
+
+dvec3 vector(Colour const& colour) {
+    return {colour[0], colour[1], colour[2]};
+}
+
+/// What a surface is painted with, if a lamp lights it.
+std::optional<Paint> paint_of(Scene const& scene, Interface const& interface) {
+    if (!interface.surface)
+        return std::nullopt;
+    auto const& kind = scene.surfaces[interface.surface->value].kind;
+    if (auto const* const paint = std::get_if<Paint>(&kind))
+        return *paint;
+    if (auto const* const matt = std::get_if<Diffuse>(&kind)) {
+        Paint paint;
+        paint.diffuse = {matt->reflectance, matt->reflectance, matt->reflectance};
+        return paint;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+void TreeShader::plant(std::span<Branch const> roots, std::span<Ray const> rays) {
+    rays_ = rays;
+    first_view_ = views_.size();
+    views_.resize(views_.size() + roots.size());
+    colours_.assign(roots.size(), dvec3(1.0));
+    next_colours_.clear();
+}
+
+void TreeShader::next_generation() {
+    std::swap(colours_, next_colours_);
+    next_colours_.clear();
+}
+
+void TreeShader::push(std::size_t, Branch const& child, Outgoing const& outgoing) {
+    next_colours_.push_back(child.power * leaving_[outgoing.crosses ? 1 : 0]);
+}
+
+void TreeShader::lose(std::size_t number, Branch const& branch, Event event) {
+    RayView& view = views_[first_view_ + branch.ray];
+    if (event == Event::cut_power || event == Event::cut_depth) {
+        view.cut += branch.power;
+        return;
+    }
+    ++view.pieces;
+    if (event == Event::escaped)
+        view.light += colours_[number] * in_.sky.toward(branch.direction);
+}
+
+double TreeShader::meet(std::size_t number, Branch const& branch, Interface const& interface,
+                        Branches& branches) {
+    channels_ = one_tree_;
+    if (single_)
+        channels_.fill(rays_[branch.ray].wavelength);
+    RayView& view = views_[first_view_ + branch.ray];
+    ++view.pieces;
+    if (branch.depth == 0) {
+        view.depth = interface.t;
+        view.normal = interface.normal;
+    }
+    dvec3 const arrives =
+        colours_[number] * absorbed_on_way(in_.optics, branch.medium, channels_, interface.t);
+    light_up(view, branch, interface, arrives, branches);
+    double const power = brightest(arrives);
+    if (power > 0.0)
+        weigh(branch, interface, arrives, power, branches);
+    return power;
+}
+
+/// Gives each outgoing branch the share of its brightest colour.
+void TreeShader::weigh(Branch const& branch, Interface const& interface, dvec3 const& arrives, double power,
+                       Branches& branches) {
+    leaving_.fill(arrives / power);
+    if (single_ || !is_coloured(in_.scene, interface))
+        return;
+    ColouredBranches const coloured =
+        coloured_branches(in_.scene, in_.optics, interface, branch.direction, branch.medium, channels_);
+    branches.outgoing = coloured.outgoing;
+    double sum = 0.0;
+    for (Outgoing& outgoing : branches.outgoing) {
+        dvec3 const leaves = arrives * (outgoing.crosses ? coloured.across : coloured.back);
+        double const most = brightest(leaves);
+        leaving_[outgoing.crosses ? 1 : 0] = most > 0.0 ? leaves / most : dvec3(0.0);
+        outgoing.share = most / power;
+        sum += outgoing.share;
+    }
+    branches.absorbed = 1.0 - sum;
+}
+
+void TreeShader::light_up(RayView& view, Branch const& branch, Interface const& interface,
+                          dvec3 const& arrives, Branches& branches) {
+    auto const paint = paint_of(in_.scene, interface);
+    if (!paint)
+        return;
+    bool lit = false;
+    view.light += arrives * local_light(*paint, interface, branch.direction, lit);
+    bool const scatters = !branches.outgoing.empty() && branches.outgoing[0].event == Event::scattered;
+    if (scatters || (in_.picture.options.shadows == Shadows::ambient_only && !lit))
+        branches.outgoing.clear();
+}
+
+/// Phong's ambient, diffuse and specular terms, over all lamps.
+dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, dvec3 const& direction,
+                              bool& lit) const {
+    dvec3 const colour = pigment(in_.scene, interface, paint);
+    dvec3 light = in_.picture.options.ambient * vector(paint.ambient) * colour;
+    dvec3 const mirrored = direction - 2.0 * dot(direction, interface.normal) * interface.normal;
+    for (Light const& source : in_.picture.lights) {
+        LampView const lamp = view_of(source, interface.point);
+        double const facing = dot(lamp.toward, interface.normal);
+        if (facing <= 0.0 || dot(lamp.toward, interface.facet_normal) <= 0.0)
+            continue;
+        dvec3 const comes = lamp_light(lamp, interface);
+        if (brightest(comes) <= 0.0)
+            continue;
+        lit = true;
+        double const gloss = std::max(0.0, dot(mirrored, lamp.toward));
+        light += comes * (facing * vector(paint.diffuse) * colour +
+                          std::pow(gloss, paint.shininess) * vector(paint.specular));
+    }
+    return light;
+}
+
+/// What of a lamp's light comes straight to a surface.
+dvec3 TreeShader::lamp_light(LampView const& lamp, Interface const& interface) const {
+    if (brightest(lamp.light) <= 0.0)
+        return dvec3(0.0);
+    dvec3 passes(1.0);
+    bool const glass = in_.picture.options.shadows == Shadows::glass;
+    auto const visit = [&](Interface const& met, MediumId medium) {
+        if (!glass)
+            return false;
+        passes *= absorbed_on_way(in_.optics, medium, channels_, met.t) *
+                  coloured_branches(in_.scene, in_.optics, met, lamp.toward, medium, channels_).across;
+        return brightest(passes) > least_shadow_light;
+    };
+    auto const last = [&](MediumId medium, double length) {
+        if (std::isfinite(length))
+            passes *= absorbed_on_way(in_.optics, medium, channels_, length);
+    };
+    bool const reached =
+        straight_on(in_.scene, StraightStart(interface), lamp.toward, lamp.distance, visit, last);
+    return reached ? passes * lamp.light : dvec3(0.0);
+}
+
+} // namespace sahl

@@ -1,0 +1,92 @@
+#include "run/render.h"
+
+#include "math/input_error.h"
+#include "run/render_scene.h"
+#include "run/values.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace sahl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void check_endings(std::vector<fs::path> const& files) {
+    for (fs::path const& file : files)
+        if (file.extension() != ".png" && file.extension() != ".exr")
+            throw InputError(file.string(), "no picture can be written with this ending",
+                             "use .png (8 bits, sRGB) or .exr (linear, with its layers)");
+}
+
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+void write_files(RenderOptions const& options, Film const& film, PictureOptions const& how,
+                 Metadata const& metadata) {
+    for (fs::path const& file : options.files) {
+        if (file.has_parent_path())
+            fs::create_directories(file.parent_path());
+        if (file.extension() == ".png")
+            write_image(file, srgb_picture(film, how.exposure), metadata);
+        else
+            write_image(file, linear_layers(film), metadata, layer_names());
+    }
+}
+
+std::uint64_t count(EventCounts const& ended, Event event) {
+    return ended[static_cast<std::size_t>(event)];
+}
+
+} // namespace
+
+RenderResult render_experiment(ExperimentSource const& source, RenderOptions const& options) {
+    check_endings(options.files);
+    auto const start = Clock::now();
+    Experiment experiment = read_experiment(source.tree, source.file);
+    if (!experiment.picture.camera)
+        throw InputError(source.file.string(), "there is no camera",
+                         "add [camera] with at_mm and look_at_mm, in mm");
+    experiment.detectors.clear(); // they are no things that could be seen
+    Scene scene = build_scene(experiment);
+    PictureMaker const maker(scene, experiment.picture, experiment.trace);
+    double const preparing = seconds_since(start);
+    static std::atomic<bool> const never{false};
+    RenderOutcome const outcome = render_scene(maker, experiment.picture.options, options.threads,
+                                               options.progress, options.stop ? *options.stop : never);
+    auto const writing = Clock::now();
+    write_files(options, outcome.film, experiment.picture.options,
+                {{"Software", program_name()},
+                 {"ImageDescription", experiment.title},
+                 {"sahl:experiment", source.text},
+                 {"sahl:experiment_sha256", experiment_sha256(source)},
+                 {"sahl:seed", std::to_string(experiment.trace.seed)}});
+    std::uint64_t segments = 0;
+    for (std::uint64_t const events : outcome.ended)
+        segments += events;
+    std::uint64_t const cut = count(outcome.ended, Event::cut_power) + count(outcome.ended, Event::cut_depth);
+    Table const table{{"title", of(experiment.title)},
+                      {"program", of(program_name())},
+                      {"columns", of(std::uint64_t{outcome.film.columns})},
+                      {"rows", of(std::uint64_t{outcome.film.rows})},
+                      {"samples", of(std::uint64_t{experiment.picture.options.samples})},
+                      {"trees_a_sample", of(std::uint64_t{maker.wavelengths_a_sample()})},
+                      {"pixels_sampled_again", of(outcome.sampled_again)},
+                      {"segments", of(segments - cut)},
+                      {"cut", of(cut)},
+                      {"leaks", of(count(outcome.ended, Event::leak) + count(outcome.ended, Event::invalid))},
+                      {"seconds_preparing", of(preparing)},
+                      {"seconds", of(outcome.seconds)},
+                      {"seconds_writing", of(seconds_since(writing))},
+                      {"threads", of(std::uint64_t{outcome.threads})}};
+    return {of(table), outcome.whole};
+}
+
+} // namespace sahl
