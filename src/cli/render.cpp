@@ -2,7 +2,9 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
 
+#include "run/model_picture.h"
 #include "run/render.h"
+#include "scene/model_cache.h"
 #include "scene/read_model.h"
 
 #include <CLI/CLI.hpp>
@@ -24,7 +26,7 @@ extern "C" void stop_rendering(int) {
 }
 
 struct RenderArguments {
-    std::string file, seed;
+    std::string file, glass, seed;
     std::vector<std::string> set, out;
     unsigned threads = 0;
     bool json = false, quiet = false;
@@ -59,8 +61,17 @@ int run_render(RenderArguments const& arguments) {
     std::vector<std::string> set = arguments.set;
     if (!arguments.seed.empty())
         set.push_back("trace.seed=" + arguments.seed);
-    ExperimentSource const source = load_experiment(arguments.file, set);
+    ModelCache models;
+    bool const model = is_model_file(arguments.file) || is_foreign_model_file(arguments.file);
+    if (!arguments.glass.empty() && !model)
+        throw CLI::ValidationError("--glass", "is for models; in an experiment objects have media");
+    ExperimentSource source =
+        model ? model_picture(arguments.file, arguments.glass, models) : load_experiment(arguments.file);
+    for (std::string const& assignment : set)
+        set_key_from_text(source.tree, assignment);
+    source.set = set;
     RenderOptions options;
+    options.models = &models;
     options.threads = arguments.threads;
     for (std::string const& file : arguments.out)
         options.files.emplace_back(file);
@@ -93,6 +104,9 @@ void add_render(CLI::App& app, int& status) {
     CLI::App* const command = app.add_subcommand("render", "Make a picture of an experiment or a model");
     command->add_option("file", arguments->file, "The experiment file (TOML, or JSON), or a model")
         ->required();
+    command->add_option("--glass", arguments->glass,
+                        "What a model is made of: a name of the catalogue (default: what its file says, else "
+                        "N-BK7)");
     command
         ->add_option("--out", arguments->out,
                      "The picture, .png or .exr; may be given more than once (default: "

@@ -19,7 +19,31 @@ double within_cone(SpotLight const& spot, dvec3 const& toward) {
     return share * share;
 }
 
+/// Does the ray pass through the ball before `length`?
+bool passes_ball(dvec3 const& to_centre, double radius, dvec3 const& direction, double length) {
+    double const along = dot(to_centre, direction);
+    dvec3 const beside = to_centre - along * direction;
+    return along > 0.0 && along < length && dot(beside, beside) < radius * radius;
+}
+
 } // namespace
+
+dvec3 glow_of(Light const& light, dvec3 const& origin, dvec3 const& direction, double length) {
+    if (light.radius <= 0.0)
+        return dvec3(0.0);
+    if (auto const* const sun = std::get_if<DirectionalLight>(&light.kind)) {
+        double const sine = std::sin(light.radius);
+        bool const seen = std::isinf(length) && -dot(direction, sun->toward) > std::cos(light.radius);
+        return seen ? light.intensity / (sine * sine) : dvec3(0.0);
+    }
+    auto const* const point = std::get_if<PointLight>(&light.kind);
+    dvec3 const to_centre = (point ? point->at : std::get<SpotLight>(light.kind).at) - origin;
+    if (!passes_ball(to_centre, light.radius, direction, length))
+        return dvec3(0.0);
+    LampView const view = view_of(light, origin); // light = intensity · (falloff / distance)²
+    double const wide = view.distance / light.radius;
+    return wide * wide * view.light;
+}
 
 LampView view_of(Light const& light, dvec3 const& point) {
     LampView view;

@@ -14,4 +14,10 @@ struct LampView {
 };
 LampView view_of(Light const& light, dvec3 const& point);
 
+/// What a ray sees of the lamp itself: a glowing ball, or a disc in the sky, of the radiance by which it
+/// gives the light that it gives. A ball that gives the same at any distance glows as the ray's origin needs
+/// it.
+///   length   m, of the ray's piece; infinite where it leaves the scene
+dvec3 glow_of(Light const& light, dvec3 const& origin, dvec3 const& direction, double length);
+
 } // namespace sahl

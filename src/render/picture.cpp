@@ -61,9 +61,10 @@ struct PictureMaker::Tile {
     std::vector<RayView> views;
 };
 
-PictureMaker::PictureMaker(Scene& scene, Picture const& picture, TraceOptions const& trace)
+PictureMaker::PictureMaker(Scene& scene, Picture const& picture, TraceOptions const& trace,
+                           LightMap const* caustics)
     : picture_(picture), camera_(*picture.camera), samples_(picture.options, trace.seed),
-      sky_(picture.background), trace_(trace), scene_(scene),
+      sky_(picture.background), trace_(trace), scene_(scene), caustics_(caustics),
       tiles_across_((picture.camera->columns + tile_side - 1) / tile_side),
       tiles_down_((picture.camera->rows + tile_side - 1) / tile_side) {
     std::uint32_t const asked = picture.options.wavelengths;
@@ -111,7 +112,8 @@ void PictureMaker::render_tile(Film& film, std::uint64_t number, std::uint32_t f
         }
     }
     TraceContext const context{scene_, *optics_, *nothing_, trace_, SumUnit::for_total(1.0)};
-    TreeShader shader({scene_, *optics_, picture_, sky_}, one_tree_channels, spectrum_.has_value());
+    TreeShader shader({scene_, *optics_, picture_, sky_, caustics_}, one_tree_channels,
+                      spectrum_.has_value());
     EventCounts const counts = trace_rays(context, number << 32U | std::uint64_t{first} << 24U, tile.rays,
                                           shader, start_ ? &*start_ : nullptr);
     for (std::size_t i = 0; i < counts.size(); ++i)

@@ -23,7 +23,9 @@ class PictureMaker {
   public:
     /// The scene's sources become those of the picture: they say at which wavelengths it is traced. It has no
     /// detectors. All references must outlive this. Throws InputError where an image cannot be read.
-    PictureMaker(Scene& scene, Picture const& picture, TraceOptions const& trace);
+    ///   caustics   light that is added to paint, or none
+    PictureMaker(Scene& scene, Picture const& picture, TraceOptions const& trace,
+                 LightMap const* caustics = nullptr);
 
     std::uint64_t tiles() const { return std::uint64_t{tiles_across_} * tiles_down_; }
     Film empty_film() const;
@@ -51,6 +53,7 @@ class PictureMaker {
     std::unique_ptr<Emission const> nothing_; // of a picture's context, which has no source
     TraceOptions trace_;
     Scene const& scene_;
+    LightMap const* caustics_;
     std::optional<Bvh::Start> start_; // of all rays, where they begin at one point
     std::uint32_t tiles_across_, tiles_down_;
 };

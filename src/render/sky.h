@@ -1,7 +1,10 @@
 // In: a background. Out: the light that comes from a direction in which nothing is.
 #pragma once
 
+#include "image/environment.h"
 #include "scene/picture.h"
+
+#include <optional>
 
 namespace sahl {
 
@@ -14,6 +17,7 @@ class Sky {
 
   private:
     Background background_;
+    std::optional<Environment> environment_;
 };
 
 } // namespace sahl

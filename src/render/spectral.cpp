@@ -30,6 +30,10 @@ dmat3 line_colour(double wavelength) {
 
 } // namespace
 
+dvec3 linear_srgb(dvec3 const& xyz) {
+    return srgb_of_xyz * xyz;
+}
+
 Spectrum::Spectrum(std::uint32_t lines) {
     for (std::uint32_t i = 0; i < lines; ++i) {
         double const share = (i + 0.5) / lines;

@@ -8,6 +8,9 @@
 
 namespace sahl {
 
+/// Linear sRGB (IEC 61966-2-1) of tristimulus values; outside the gamut a number is negative.
+dvec3 linear_srgb(dvec3 const& xyz);
+
 /// White light cut into narrow lines: where paint, lamps and sky have three numbers, a number holds over its
 /// band (materials/colour.h), and the sum of all lines' matrices is the identity, so that what does not
 /// disperse has the colour it has without wavelengths.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sahl {
 
@@ -63,7 +64,15 @@ void TreeShader::lose(std::size_t number, Branch const& branch, Event event) {
     }
     ++view.pieces;
     if (event == Event::escaped)
-        view.light += colours_[number] * in_.sky.toward(branch.direction);
+        view.light += colours_[number] * (in_.sky.toward(branch.direction) +
+                                          glow(branch, std::numeric_limits<double>::infinity()));
+}
+
+dvec3 TreeShader::glow(Branch const& branch, double length) const {
+    dvec3 light(0.0);
+    for (Light const& lamp : in_.picture.lights)
+        light += glow_of(lamp, branch.origin, branch.direction, length);
+    return light;
 }
 
 double TreeShader::meet(std::size_t number, Branch const& branch, Interface const& interface,
@@ -79,6 +88,7 @@ double TreeShader::meet(std::size_t number, Branch const& branch, Interface cons
     }
     dvec3 const arrives =
         colours_[number] * absorbed_on_way(in_.optics, branch.medium, channels_, interface.t);
+    view.light += colours_[number] * glow(branch, interface.t);
     light_up(view, branch, interface, arrives, branches);
     double const power = brightest(arrives);
     if (power > 0.0)
@@ -123,6 +133,8 @@ dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, dv
                               bool& lit) const {
     dvec3 const colour = pigment(in_.scene, interface, paint);
     dvec3 light = in_.picture.options.ambient * vector(paint.ambient) * colour;
+    if (in_.caustics)
+        light += in_.caustics->at(interface.point) * vector(paint.diffuse) * colour;
     dvec3 const mirrored = direction - 2.0 * dot(direction, interface.normal) * interface.normal;
     for (Light const& source : in_.picture.lights) {
         LampView const lamp = view_of(source, interface.point);

@@ -3,6 +3,7 @@
 
 #include "render/channels.h"
 #include "render/lamps.h"
+#include "render/light_map.h"
 #include "render/sky.h"
 #include "scene/picture.h"
 #include "trace/straight.h"
@@ -18,6 +19,7 @@ struct PictureScene {
     WavelengthTable const& optics;
     Picture const& picture;
     Sky const& sky;
+    LightMap const* caustics = nullptr; // light that is added to paint
 };
 
 /// What one camera ray sees.
@@ -50,6 +52,7 @@ class TreeShader final : public TreeWatch {
     std::vector<RayView>& views() { return views_; }
 
   private:
+    dvec3 glow(Branch const& branch, double length) const;
     void weigh(Branch const& branch, Interface const& interface, dvec3 const& arrives, double power,
                Branches& branches);
     void light_up(RayView& view, Branch const& branch, Interface const& interface, dvec3 const& arrives,

@@ -1,6 +1,7 @@
 #include "run/render.h"
 
 #include "math/input_error.h"
+#include "run/light_layer.h"
 #include "run/render_scene.h"
 #include "run/values.h"
 #include "scene/scene.h"
@@ -51,18 +52,20 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
     check_endings(options.files);
     auto const start = Clock::now();
     Experiment experiment = read_experiment(source.tree, source.file);
-    if (!experiment.picture.camera)
+    if (!experiment.picture->camera)
         throw InputError(source.file.string(), "there is no camera",
                          "add [camera] with at_mm and look_at_mm, in mm");
+    auto const caustics = light_layer(experiment, options.models, options.threads, options.progress);
     experiment.detectors.clear(); // they are no things that could be seen
-    Scene scene = build_scene(experiment);
-    PictureMaker const maker(scene, experiment.picture, experiment.trace);
+    Scene scene = build_scene(experiment, options.models);
+    Picture const& picture = *experiment.picture;
+    PictureMaker const maker(scene, picture, experiment.trace, caustics ? &*caustics : nullptr);
     double const preparing = seconds_since(start);
     static std::atomic<bool> const never{false};
-    RenderOutcome const outcome = render_scene(maker, experiment.picture.options, options.threads,
-                                               options.progress, options.stop ? *options.stop : never);
+    RenderOutcome const outcome = render_scene(maker, picture.options, options.threads, options.progress,
+                                               options.stop ? *options.stop : never);
     auto const writing = Clock::now();
-    write_files(options, outcome.film, experiment.picture.options,
+    write_files(options, outcome.film, picture.options,
                 {{"Software", program_name()},
                  {"ImageDescription", experiment.title},
                  {"sahl:experiment", source.text},
@@ -76,7 +79,7 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
                       {"program", of(program_name())},
                       {"columns", of(std::uint64_t{outcome.film.columns})},
                       {"rows", of(std::uint64_t{outcome.film.rows})},
-                      {"samples", of(std::uint64_t{experiment.picture.options.samples})},
+                      {"samples", of(std::uint64_t{picture.options.samples})},
                       {"trees_a_sample", of(std::uint64_t{maker.wavelengths_a_sample()})},
                       {"pixels_sampled_again", of(outcome.sampled_again)},
                       {"segments", of(segments - cut)},

@@ -12,6 +12,7 @@ struct RenderOptions {
     unsigned threads = 0;                     // 0: all there are
     Progress progress;
     std::atomic<bool> const* stop = nullptr; // once it is set, what is done is written
+    ModelCache* models = nullptr;            // those of earlier runs; none: it reads its own
 };
 
 struct RenderResult {

@@ -7,11 +7,11 @@
 #include "materials/surface.h"
 #include "math/ids.h"
 #include "math/vec.h"
-#include "scene/picture.h"
 #include "scene/value.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -188,6 +188,8 @@ struct GoalSpec {
     Place place;
 };
 
+struct Picture; // scene/picture.h
+
 struct Experiment {
     std::string title;
     std::filesystem::path file;
@@ -202,7 +204,7 @@ struct Experiment {
     Limits limits;
     SweepSpec sweep;
     std::optional<GoalSpec> goal;
-    Picture picture;
+    std::shared_ptr<Picture> picture;  // of [camera] and its like, never null where a file was read
     std::vector<std::string> warnings; // what a user should know, e.g. a formula used outside its range
 };
 

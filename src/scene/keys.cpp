@@ -177,7 +177,7 @@ std::span<KeyTable const* const> key_tables() {
         &keys::polarisation, &keys::detector,     &keys::far_field,  &keys::sweep,
         &keys::sweep_range,  &keys::goal,         &keys::goal_range, &keys::camera,
         &keys::light,        &keys::light_point,  &keys::light_spot, &keys::light_directional,
-        &keys::background,   &keys::picture};
+        &keys::background,   &keys::picture,      &keys::caustics};
     return all;
 }
 

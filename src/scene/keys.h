@@ -63,7 +63,8 @@ namespace keys {
 // keys.cpp
 extern KeyTable const experiment, trace, log, limits, group, sweep, sweep_range, goal, goal_range;
 // keys_picture.cpp
-extern KeyTable const camera, light, light_point, light_spot, light_directional, background, picture;
+extern KeyTable const camera, light, light_point, light_spot, light_directional, background, picture,
+    caustics;
 // keys_materials.cpp
 extern KeyTable const medium, sellmeier, cauchy, surface, paint, checker;
 // keys_objects.cpp

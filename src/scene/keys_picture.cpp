@@ -37,6 +37,13 @@ constexpr Key light_keys[] = {
      "the distance at which `intensity` holds, with the inverse square of the distance; absent: it holds at "
      "any distance",
      above_zero},
+    {"radius_mm", Kind::number, 0.0,
+     "of the lamp as it is seen, in glass and mirrors too; 0: it is not seen itself", not_negative},
+    {"angle_deg",
+     Kind::number,
+     0.0,
+     "of a directional light: how wide its disc is in the sky; 0: unseen",
+     {0.0, 90.0}},
 };
 
 constexpr Key light_point_keys[] = {
@@ -91,7 +98,15 @@ constexpr Key picture_keys[] = {
      "traced for each sample; 0: one tree of rays for all colours, or 6 where a medium "
      "disperses; 1: one tree even then",
      {0.0, 64.0}},
+    {"caustics", Kind::table, {}, "adds light of the sources, traced to a detector, to the paint it lies on"},
     {"exposure", Kind::number, 0.0, "stops by which the PNG is brighter: 1 doubles", {-32.0, 32.0}},
+};
+
+constexpr Key caustics_keys[] = {
+    {"detector", Kind::text, Required{},
+     "a rectangular detector of this experiment, which lies on paint and faces what is to light it"},
+    {"white_W_per_mm2", Kind::number, Required{},
+     "the irradiance, by light of the sources' own colour, at which white paint shows 1", above_zero},
 };
 
 } // namespace
@@ -110,5 +125,7 @@ KeyTable const keys::background{"[background]", "For pictures: what is seen wher
                                 background_keys};
 KeyTable const keys::picture{
     "[picture]", "How `sahl render` makes a picture; how rays are followed is in [trace].", picture_keys};
+KeyTable const keys::caustics{"caustics", "What no ray tree shows: light that comes by way of glass.",
+                              caustics_keys};
 
 } // namespace sahl

@@ -41,8 +41,9 @@ struct DirectionalLight {
 struct Light {
     std::variant<PointLight, SpotLight, DirectionalLight> kind;
     dvec3 intensity{1.0}; // what a white surface shows that faces it
-    double falloff = 0.0; // m: where the intensity is as given, with the inverse square of the distance; 0:
-                          // it is the same everywhere
+    double falloff =
+        0.0; // m: where the intensity is as given, with the inverse square; 0: the same everywhere
+    double radius = 0.0; // m, of the lamp as it is seen; of a directional one rad, half its angle; 0: unseen
 };
 
 struct Background {
@@ -60,6 +61,13 @@ enum class PixelFilter { box, tent, gaussian, mitchell };
 /// surface shows its ambient colour alone and no rays go on from it.
 enum class Shadows { glass, hard, ambient_only };
 
+/// Light of the experiment's sources, traced to a detector and added to the paint that it lies on.
+struct Caustics {
+    std::string detector;
+    double white = 1.0; // W/m²: where white paint shows 1
+    Place place;
+};
+
 struct PictureOptions {
     std::uint32_t samples = 16; // rays for each pixel
     SamplePattern pattern = SamplePattern::sobol;
@@ -68,7 +76,8 @@ struct PictureOptions {
     Shadows shadows = Shadows::glass;
     dvec3 ambient{1.0};            // light from everywhere, on `ambient` of paint
     std::uint32_t wavelengths = 0; // traced for each sample; 0: as many as the scene needs
-    double exposure = 0.0;         // stops, applied to the PNG
+    std::optional<Caustics> caustics{};
+    double exposure = 0.0; // stops, applied to the PNG
 };
 
 struct Picture {

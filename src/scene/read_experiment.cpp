@@ -93,7 +93,7 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     experiment.trace = read_trace(tree);
     experiment.log = read_log(tree);
     experiment.limits = read_limits(tree);
-    experiment.picture = read_picture(tree, folder);
+    experiment.picture = std::make_shared<Picture>(read_picture(tree, folder));
 
     MediaBook media(tree.find("medium"), read_catalogues(tree.find("catalogues"), folder));
     experiment.surroundings = media.refer(top.text("surroundings"), top.place("surroundings"));
@@ -104,7 +104,7 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     experiment.detectors = read_detectors(tables_in(tree, "detector"), groups);
     experiment.media = media.media();
 
-    if (experiment.sources.empty() && !experiment.picture.camera)
+    if (experiment.sources.empty() && !experiment.picture->camera)
         need_sources(experiment);
     check_names(experiment);
     std::vector<double> const wavelengths = all_wavelengths(experiment.sources);

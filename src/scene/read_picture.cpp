@@ -90,6 +90,13 @@ Light read_light(Value const& table) {
                              "leave falloff_mm out");
         light.falloff = metres(fields.number("falloff_mm"));
     }
+    char const* const other = kind == "directional" ? "radius_mm" : "angle_deg";
+    if (fields.has(other))
+        throw InputError(fields.place(other).text(),
+                         fields.called(other) + " has no meaning for a " + kind + " light",
+                         kind == "directional" ? "give angle_deg" : "give radius_mm");
+    light.radius = kind == "directional" ? 0.5 * fields.number("angle_deg") * radian
+                                         : metres(fields.number("radius_mm"));
     return light;
 }
 
@@ -127,6 +134,11 @@ PictureOptions read_how(Fields const& fields) {
         "shadows", {{"glass", Shadows::glass}, {"hard", Shadows::hard}, {"ambient", Shadows::ambient_only}});
     options.ambient = vector_of(fields.numbers("ambient"));
     options.wavelengths = whole(fields, "wavelengths");
+    if (fields.has("caustics")) {
+        Fields const caustics(fields.at("caustics"), keys::caustics);
+        options.caustics = Caustics{caustics.text("detector"), caustics.number("white_W_per_mm2") * 1e6,
+                                    caustics.place("detector")};
+    }
     options.exposure = fields.number("exposure");
     return options;
 }

@@ -12,9 +12,9 @@ namespace {
 RenderOutcome render(std::string const& toml, unsigned threads = 2) {
     Experiment experiment = read_text(toml);
     Scene scene = build_scene(experiment);
-    PictureMaker const maker(scene, experiment.picture, experiment.trace);
+    PictureMaker const maker(scene, *experiment.picture, experiment.trace);
     std::atomic<bool> const never{false};
-    return render_scene(maker, experiment.picture.options, threads, {}, never);
+    return render_scene(maker, experiment.picture->options, threads, {}, never);
 }
 
 /// Largest distance of any pixel's colour from the given one.

@@ -1,0 +1,113 @@
+#include "run/model_picture.h"
+
+#include "math/input_error.h"
+#include "scene/model_cache.h"
+#include "scene/read_transform.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace sahl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double fov_deg = 28.0, round_deg = 24.0, above_deg = 16.0;
+
+std::string quoted(std::string const& text) {
+    return to_json({text, {}}); // a JSON string is a TOML basic string too
+}
+
+struct ModelBox {
+    dvec3 low{INFINITY}, high{-INFINITY};
+};
+
+/// Of all that is in the file, in its unit.
+ModelBox bounds_of(Model const& model, fs::path const& file) {
+    ModelBox box;
+    for (ModelInstance const& instance : model.instances)
+        for (dvec3 const& position : model.meshes[instance.mesh].soup.positions) {
+            dvec3 const at = instance.to_world.point(position);
+            box.low = glm::min(box.low, at);
+            box.high = glm::max(box.high, at);
+        }
+    if (!(length(box.high - box.low) > 0.0))
+        throw InputError(file.string(), "there is nothing in it to be seen",
+                         "export it again with its meshes");
+    return box;
+}
+
+std::string list(dvec3 const& v) {
+    std::ostringstream text;
+    text.precision(9);
+    text << "[" << v.x << ", " << v.y << ", " << v.z << "]";
+    return text.str();
+}
+
+/// Camera, floor, sky and light about a box. Lengths in mm.
+std::string stage(ModelBox const& box) {
+    dvec3 const centre = 0.5 * (box.low + box.high), size = box.high - box.low;
+    double const radius = 0.5 * length(size);
+    double const distance = 1.08 * radius / sin_of_deg(0.5 * fov_deg);
+    dvec3 const from(sin_of_deg(round_deg) * cos_of_deg(above_deg), sin_of_deg(above_deg),
+                     cos_of_deg(round_deg) * cos_of_deg(above_deg));
+    // a floor in contact would be optically glued to the glass
+    double const floor = box.low.y - 1e-3 * radius;
+    std::ostringstream text;
+    text.precision(9);
+    text << "[surface.floor]\npaint = {ambient = [0.42, 0.42, 0.42], diffuse = [0.42, 0.42, 0.42], checker = "
+            "{size_mm = "
+         << 0.5 * radius << ", other = [0.42, 0.47, 0.55]}}\n\n"
+         << "[[object]]\nname = \"the floor\"\nshape = {disk = {radius_mm = " << 60.0 * radius
+         << "}}\nsurface = \"floor\"\nturn_deg = [-90, 0, 0]\nmove_mm = " << list({centre.x, floor, centre.z})
+         << "\n\n"
+         << "[camera]\nat_mm = " << list(centre + distance * from) << "\nlook_at_mm = " << list(centre)
+         << "\nup = [0, 1, 0]\nfov_deg = " << fov_deg << "\nresolution = [640, 480]\nsamples = 16\n\n"
+         << "[[light]] # the sun, from the left and from behind the camera\n"
+            "directional = {toward = [0.62, -1, -0.48]}\nintensity = [1.05, 1, 0.92]\nangle_deg = 7\n\n"
+         << "[background]\ncolor = [0.78, 0.83, 0.88]\nzenith = [0.16, 0.33, 0.68]\n";
+    return text.str();
+}
+
+ExperimentSource experiment_of(fs::path const& file, std::string const& text) {
+    ExperimentSource source;
+    source.file = file;
+    source.text = text;
+    source.tree = parse_toml(text, file.string());
+    return source;
+}
+
+} // namespace
+
+ExperimentSource model_picture(fs::path const& file, std::string const& glass, ModelCache& models) {
+    std::shared_ptr<Model const> const model = models.model(file);
+    double const mm = model->in_metres ? 1000.0 : 1.0; // an OBJ's unit is its maker's: its size is only seen
+    ModelBox box = bounds_of(*model, file);
+    box.low *= mm;
+    box.high *= mm;
+    auto const with = [&](std::string const& medium) {
+        std::string text =
+            "title = " + quoted(file.filename().string()) +
+            "\n\n[trace]\nmax_depth = 24\nmin_power = 1e-3\n\n[[object]]\nname = \"model\"\nmodel = " +
+            quoted(file.filename().string()) + "\n";
+        if (!model->in_metres)
+            text += "length_unit = \"mm\"\n";
+        if (!medium.empty())
+            text += "medium = " + quoted(medium) + "\n";
+        return experiment_of(file, text + "\n" + stage(box));
+    };
+    ExperimentSource source = with(glass);
+    if (!glass.empty())
+        return source;
+    try {
+        Experiment const experiment = read_experiment(source.tree, source.file);
+        build_scene(experiment, &models);
+    } catch (InputError const&) {
+        return with("N-BK7"); // nothing says what it is made of; whatever else is wrong will be said again
+    }
+    return source;
+}
+
+} // namespace sahl
