@@ -42,23 +42,26 @@ double difference(dvec3 const& a, dvec3 const& b) {
 
 } // namespace
 
+bool disperses(Medium const& medium) {
+    double const blue = refractive_index(medium.index, one_tree_wavelengths[3]);
+    double const red = refractive_index(medium.index, one_tree_wavelengths[1]);
+    return std::abs(blue - red) > least_dispersion * red;
+}
+
 bool disperses(Scene const& scene) {
-    return std::any_of(scene.media.begin(), scene.media.end(), [](Medium const& medium) {
-        double const blue = refractive_index(medium.index, one_tree_wavelengths[3]);
-        double const red = refractive_index(medium.index, one_tree_wavelengths[1]);
-        return std::abs(blue - red) > least_dispersion * red;
-    });
+    return std::any_of(scene.media.begin(), scene.media.end(),
+                       [](Medium const& medium) { return disperses(medium); });
 }
 
 struct PictureMaker::Tile {
     struct Sample {
         std::uint32_t x, y;
-        double weight;
+        PixelSample in_pixel;
+        CameraRay ray;
     };
+    std::uint64_t first_ray = 0; // a number that no other tile's rays have
     std::vector<Sample> samples;
-    std::vector<Spectrum::Line> lines; // of all samples, each lines_ of them; empty in one tree
-    std::vector<Ray> rays;
-    std::vector<RayView> views;
+    std::vector<RayView> views; // by sample
 };
 
 PictureMaker::PictureMaker(Scene& scene, Picture const& picture, TraceOptions const& trace,
@@ -68,13 +71,17 @@ PictureMaker::PictureMaker(Scene& scene, Picture const& picture, TraceOptions co
       tiles_across_((picture.camera->columns + tile_side - 1) / tile_side),
       tiles_down_((picture.camera->rows + tile_side - 1) / tile_side) {
     std::uint32_t const asked = picture.options.wavelengths;
+    std::vector<double> wavelengths(one_tree_wavelengths.begin(), one_tree_wavelengths.end());
     if (asked > 1 || (asked == 0 && sahl::disperses(scene))) {
         lines_ = std::max(asked == 0 ? lines_of_a_sample : asked, 3U); // one in each band, at least
+        all_by_lines_ = asked > 1;
         spectrum_.emplace(spectral_lines);
+        wavelengths.insert(wavelengths.end(), spectrum_->wavelengths().begin(),
+                           spectrum_->wavelengths().end());
     }
-    scene.sources = {source_of(spectrum_
-                                   ? spectrum_->wavelengths()
-                                   : std::vector(one_tree_wavelengths.begin(), one_tree_wavelengths.end()))};
+    for (Medium const& medium : scene.media)
+        dispersive_.push_back(sahl::disperses(medium));
+    scene.sources = {source_of(wavelengths)};
     optics_ = std::make_unique<WavelengthTable const>(scene);
     nothing_ = std::make_unique<Emission const>(scene.sources, *optics_, trace.seed);
     trace_.digits_lost = false;
@@ -90,8 +97,8 @@ void PictureMaker::render_tile(Film& film, std::uint64_t number, std::uint32_t f
                                std::vector<bool> const& only, EventCounts& ended) const {
     std::uint32_t const left = static_cast<std::uint32_t>(number % tiles_across_) * tile_side;
     std::uint32_t const top = static_cast<std::uint32_t>(number / tiles_across_) * tile_side;
-    std::vector<Tile> by_line(1);
-    Tile& tile = by_line[0];
+    Tile tile;
+    tile.first_ray = number << 32U | std::uint64_t{first} << 24U;
     for (std::uint32_t place = 0; place < tile_side * tile_side; ++place) {
         std::uint32_t const x = left + every_second_bit(place), y = top + every_second_bit(place >> 1);
         std::uint64_t const pixel = std::uint64_t{y} * film.columns + x;
@@ -99,46 +106,68 @@ void PictureMaker::render_tile(Film& film, std::uint64_t number, std::uint32_t f
             continue;
         for (std::uint32_t index = first; index < end; ++index) {
             PixelSample const sample = samples_.at(pixel, index);
-            CameraRay const ray = camera_.ray(dvec2(x + 0.5, y + 0.5) + sample.offset, sample.lens);
-            tile.samples.push_back({x, y, sample.weight});
-            if (!spectrum_) {
-                tile.rays.push_back({ray.origin, ray.direction, 1.0, {0}, {0}});
-                continue;
-            }
-            for (Spectrum::Line const& line : spectrum_->sample(lines_, sample.turn)) {
-                tile.lines.push_back(line);
-                tile.rays.push_back({ray.origin, ray.direction, 1.0, {line.line}, {0}});
-            }
+            tile.samples.push_back(
+                {x, y, sample, camera_.ray(dvec2(x + 0.5, y + 0.5) + sample.offset, sample.lens)});
         }
     }
-    TraceContext const context{scene_, *optics_, *nothing_, trace_, SumUnit::for_total(1.0)};
-    TreeShader shader({scene_, *optics_, picture_, sky_, caustics_}, one_tree_channels,
-                      spectrum_.has_value());
-    EventCounts const counts = trace_rays(context, number << 32U | std::uint64_t{first} << 24U, tile.rays,
-                                          shader, start_ ? &*start_ : nullptr);
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        ended[i] += counts[i];
-    tile.views = std::move(shader.views());
+    std::vector<Ray> rays;
+    for (Tile::Sample const& sample : tile.samples)
+        rays.push_back({sample.ray.origin, sample.ray.direction, 1.0, {0}, {0}});
+    tile.views = look(rays, tile.first_ray, false, ended);
+    if (spectrum_)
+        look_by_lines(tile, ended);
     collect(tile, film);
 }
 
-void PictureMaker::collect(Tile& tile, Film& film) const {
-    std::size_t next = 0;
-    double const share = 1.0 / lines_;
-    for (Tile::Sample const& sample : tile.samples) {
+std::vector<RayView> PictureMaker::look(std::span<Ray const> rays, std::uint64_t first, bool by_lines,
+                                        EventCounts& ended) const {
+    TraceContext const context{scene_, *optics_, *nothing_, trace_, SumUnit::for_total(1.0)};
+    TreeShader shader({scene_, *optics_, picture_, sky_, dispersive_, caustics_}, one_tree_channels,
+                      by_lines);
+    EventCounts const counts = trace_rays(context, first, rays, shader, start_ ? &*start_ : nullptr);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        ended[i] += counts[i];
+    return std::move(shader.views());
+}
+
+/// What came by way of a medium that disperses is looked at again, wavelength by wavelength.
+void PictureMaker::look_by_lines(Tile& tile, EventCounts& ended) const {
+    std::vector<std::size_t> again;
+    std::vector<Spectrum::Line> lines;
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < tile.samples.size(); ++i) {
+        if (!all_by_lines_ && !tile.views[i].disperses)
+            continue;
+        again.push_back(i);
+        Tile::Sample const& sample = tile.samples[i];
+        for (Spectrum::Line const& line : spectrum_->sample(lines_, sample.in_pixel.turn)) {
+            lines.push_back(line);
+            auto const wavelength = static_cast<std::uint32_t>(one_tree_wavelengths.size()) + line.line;
+            rays.push_back({sample.ray.origin, sample.ray.direction, 1.0, {wavelength}, {0}});
+        }
+    }
+    std::vector<RayView> const views = look(rays, tile.first_ray | std::uint64_t{1} << 63U, true, ended);
+    for (std::size_t i = 0; i < again.size(); ++i) {
+        RayView& view = tile.views[again[i]];
+        view.light = dvec3(0.0);
+        for (std::size_t k = i * lines_; k < (i + 1) * lines_; ++k)
+            view.light += lines[k].colour * views[k].light;
+    }
+}
+
+void PictureMaker::collect(Tile const& tile, Film& film) const {
+    for (std::size_t i = 0; i < tile.samples.size(); ++i) {
+        Tile::Sample const& sample = tile.samples[i];
+        RayView const& view = tile.views[i];
         FilmPixel& pixel = film.at(sample.x, sample.y);
         ++pixel.samples;
-        pixel.weight += sample.weight;
-        for (std::uint32_t line = 0; line < lines_; ++line, ++next) {
-            RayView const& view = tile.views[next];
-            dvec3 const light = spectrum_ ? tile.lines[next].colour * view.light : view.light;
-            pixel.plain += light;
-            pixel.light += sample.weight * light;
-            pixel.depth += share * view.depth;
-            pixel.normal += share * view.normal;
-            pixel.pieces += share * view.pieces;
-            pixel.cut += share * view.cut;
-        }
+        pixel.weight += sample.in_pixel.weight;
+        pixel.plain += view.light;
+        pixel.light += sample.in_pixel.weight * view.light;
+        pixel.depth += view.depth;
+        pixel.normal += view.normal;
+        pixel.pieces += view.pieces;
+        pixel.cut += view.cut;
     }
 }
 

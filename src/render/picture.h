@@ -41,14 +41,19 @@ class PictureMaker {
 
   private:
     struct Tile;
-    void collect(Tile& tile, Film& film) const;
+    std::vector<RayView> look(std::span<Ray const> rays, std::uint64_t first, bool by_lines,
+                              EventCounts& ended) const;
+    void look_by_lines(Tile& tile, EventCounts& ended) const;
+    void collect(Tile const& tile, Film& film) const;
 
     Picture const& picture_;
     CameraRays camera_;
     PixelSamples samples_;
     Sky sky_;
     std::optional<Spectrum> spectrum_; // absent: one tree for all colours
-    std::uint32_t lines_ = 1;          // trees of a sample
+    std::uint32_t lines_ = 1;          // trees of a sample that met a medium that disperses
+    bool all_by_lines_ = false;        // and of any other
+    std::vector<bool> dispersive_;     // media
     std::unique_ptr<WavelengthTable const> optics_;
     std::unique_ptr<Emission const> nothing_; // of a picture's context, which has no source
     TraceOptions trace_;
@@ -58,7 +63,8 @@ class PictureMaker {
     std::uint32_t tiles_across_, tiles_down_;
 };
 
-/// Does a medium that a body is made of change its index over the visible range?
-bool disperses(Scene const& scene);
+/// Does the index change over the visible range?
+bool disperses(Medium const& medium);
+bool disperses(Scene const& scene); // of any of its media
 
 } // namespace sahl

@@ -86,6 +86,8 @@ double TreeShader::meet(std::size_t number, Branch const& branch, Interface cons
         view.depth = interface.t;
         view.normal = interface.normal;
     }
+    view.disperses =
+        view.disperses || in_.dispersive[branch.medium.value] || in_.dispersive[interface.medium_after.value];
     dvec3 const arrives =
         colours_[number] * absorbed_on_way(in_.optics, branch.medium, channels_, interface.t);
     view.light += colours_[number] * glow(branch, interface.t);

@@ -19,7 +19,8 @@ struct PictureScene {
     WavelengthTable const& optics;
     Picture const& picture;
     Sky const& sky;
-    LightMap const* caustics = nullptr; // light that is added to paint
+    std::vector<bool> const& dispersive; // media
+    LightMap const* caustics = nullptr;  // light that is added to paint
 };
 
 /// What one camera ray sees.
@@ -28,6 +29,7 @@ struct RayView {
     double depth = INFINITY;  // m, to the first surface
     dvec3 normal{0.0};        // of that, facing the camera
     std::uint32_t pieces = 0; // of its tree: those that ended somewhere, and were not cut
+    bool disperses = false;   // some of it came by way of a medium that does
     double cut = 0.0;         // of 1: what was not followed
 };
 

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double fov_deg = 28.0, round_deg = 24.0, above_deg = 16.0;
+constexpr double fov_deg = 28.0, round_deg = 24.0, above_deg = 9.0;
+constexpr double share_filled = 0.78; // of the picture's height or width, by the box's corners
 
 std::string quoted(std::string const& text) {
     return to_json({text, {}}); // a JSON string is a TOML basic string too
@@ -46,28 +47,45 @@ std::string list(dvec3 const& v) {
     return text.str();
 }
 
-/// Camera, floor, sky and light about a box. Lengths in mm.
+/// How far from the box's middle the camera stands so that all corners are in the picture. The picture is 4
+/// : 3.
+double distance_to_see(ModelBox const& box, dvec3 const& from) {
+    dvec3 const right = normalize(cross(dvec3(0.0, 1.0, 0.0), from)), up = cross(from, right);
+    double const slope = share_filled * sin_of_deg(0.5 * fov_deg) / cos_of_deg(0.5 * fov_deg);
+    double distance = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        dvec3 const half = 0.5 * (box.high - box.low);
+        dvec3 const at(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
+                       corner & 4 ? half.z : -half.z);
+        double const wide = std::max(std::abs(dot(at, up)), 0.75 * std::abs(dot(at, right)));
+        distance = std::max(distance, dot(at, from) + wide / slope);
+    }
+    return distance;
+}
+
+/// Camera, floor, sky and light about a box. Lengths in mm. The floor's squares, the dark of the horizon and
+/// the bright of the sky are what glass bends.
 std::string stage(ModelBox const& box) {
-    dvec3 const centre = 0.5 * (box.low + box.high), size = box.high - box.low;
-    double const radius = 0.5 * length(size);
-    double const distance = 1.08 * radius / sin_of_deg(0.5 * fov_deg);
+    dvec3 const centre = 0.5 * (box.low + box.high);
+    double const radius = 0.5 * length(box.high - box.low);
     dvec3 const from(sin_of_deg(round_deg) * cos_of_deg(above_deg), sin_of_deg(above_deg),
                      cos_of_deg(round_deg) * cos_of_deg(above_deg));
     // a floor in contact would be optically glued to the glass
     double const floor = box.low.y - 1e-3 * radius;
     std::ostringstream text;
     text.precision(9);
-    text << "[surface.floor]\npaint = {ambient = [0.42, 0.42, 0.42], diffuse = [0.42, 0.42, 0.42], checker = "
+    text << "[surface.floor]\npaint = {ambient = [0.3, 0.3, 0.3], diffuse = [0.4, 0.4, 0.4], checker = "
             "{size_mm = "
-         << 0.5 * radius << ", other = [0.42, 0.47, 0.55]}}\n\n"
-         << "[[object]]\nname = \"the floor\"\nshape = {disk = {radius_mm = " << 60.0 * radius
+         << 0.4 * radius << ", other = [0.3, 0.36, 0.46]}}\n\n"
+         << "[[object]]\nname = \"the floor\"\nshape = {disk = {radius_mm = " << 14.0 * radius
          << "}}\nsurface = \"floor\"\nturn_deg = [-90, 0, 0]\nmove_mm = " << list({centre.x, floor, centre.z})
          << "\n\n"
-         << "[camera]\nat_mm = " << list(centre + distance * from) << "\nlook_at_mm = " << list(centre)
-         << "\nup = [0, 1, 0]\nfov_deg = " << fov_deg << "\nresolution = [640, 480]\nsamples = 16\n\n"
+         << "[camera]\nat_mm = " << list(centre + distance_to_see(box, from) * from)
+         << "\nlook_at_mm = " << list(centre) << "\nup = [0, 1, 0]\nfov_deg = " << fov_deg
+         << "\nresolution = [640, 480]\nsamples = 16\n\n"
          << "[[light]] # the sun, from the left and from behind the camera\n"
-            "directional = {toward = [0.62, -1, -0.48]}\nintensity = [1.05, 1, 0.92]\nangle_deg = 7\n\n"
-         << "[background]\ncolor = [0.78, 0.83, 0.88]\nzenith = [0.16, 0.33, 0.68]\n";
+            "directional = {toward = [0.62, -1, -0.48]}\nintensity = [1.05, 1, 0.92]\nangle_deg = 14\n\n"
+         << "[background]\ncolor = [0.42, 0.47, 0.54]\nzenith = [0.9, 0.95, 1.02]\n";
     return text.str();
 }
 

@@ -79,7 +79,7 @@ constexpr Key background_keys[] = {
 constexpr Key picture_keys[] = {
     {"pattern", Kind::text, "sobol",
      "where in a pixel its samples lie: \"regular\", \"jittered\" or \"sobol\" (of low discrepancy)"},
-    {"filter", Kind::text, "mitchell",
+    {"filter", Kind::text, "gaussian",
      "how they are weighed: \"box\", \"tent\", \"gaussian\" or \"mitchell\" (sharp)"},
     {"adaptive", Kind::number, 0.0,
      "above 0: pixels get a quarter of their samples, and all of them where they differ from a neighbour by "

@@ -71,7 +71,7 @@ struct Caustics {
 struct PictureOptions {
     std::uint32_t samples = 16; // rays for each pixel
     SamplePattern pattern = SamplePattern::sobol;
-    PixelFilter filter = PixelFilter::mitchell;
+    PixelFilter filter = PixelFilter::gaussian;
     double adaptive = 0.0; // > 0: only pixels that differ from a neighbour by more than this get all samples
     Shadows shadows = Shadows::glass;
     dvec3 ambient{1.0};            // light from everywhere, on `ambient` of paint
