@@ -10,7 +10,8 @@ namespace sahl {
 
 namespace {
 
-constexpr std::size_t steps = 1024; // of a filter: each is 1/256 of a pixel wide or less
+constexpr std::size_t steps = 1024;      // of equal weight: where the filter is low they are wide
+constexpr std::size_t fine_steps = 8192; // of a filter, each 1/2048 of a pixel wide or less
 
 /// What a pixel's numbers are drawn for.
 enum class Stream : std::uint64_t { film = 1, lens = 2, colour = 3 };
@@ -58,28 +59,35 @@ double filter_value(PixelFilter filter, double x) {
 }
 
 FilterPlaces::FilterPlaces(PixelFilter filter)
-    : radius_(filter_radius(filter)), box_(filter == PixelFilter::box) {
-    double total = 0.0, net = 0.0;
-    for (std::size_t i = 0; i < steps; ++i) {
-        double const x = radius_ * (2.0 * (static_cast<double>(i) + 0.5) / steps - 1.0);
-        double const value = filter_value(filter, x);
-        sum_.push_back(total += std::abs(value));
-        sign_.push_back(value < 0.0 ? -1.0 : 1.0);
+    : box_(filter == PixelFilter::box),
+      changes_sign_(filter == PixelFilter::mitchell ? 1.0 : filter_radius(filter)) {
+    double const radius = filter_radius(filter), width = 2.0 * radius / fine_steps;
+    std::vector<double> sum{0.0}; // of |f| up to the end of each step
+    double net = 0.0;
+    for (std::size_t i = 0; i < fine_steps; ++i) {
+        double const value = filter_value(filter, width * (static_cast<double>(i) + 0.5) - radius);
+        sum.push_back(sum.back() + std::abs(value));
         net += value;
     }
-    mean_weight_ = net / total;
-    for (double& sum : sum_)
-        sum /= total;
+    mean_weight_ = net / sum.back();
+    std::size_t i = 0;
+    for (std::size_t step = 0; step <= steps; ++step) {
+        double const share = sum.back() * static_cast<double>(step) / steps;
+        while (i + 1 < fine_steps && sum[i + 1] < share)
+            ++i;
+        double const within = std::clamp((share - sum[i]) / (sum[i + 1] - sum[i]), 0.0, 1.0);
+        places_.push_back(width * (static_cast<double>(i) + within) - radius);
+    }
 }
 
 FilterPlaces::Place FilterPlaces::at(double u) const {
     if (box_)
         return {u - 0.5, 1.0};
-    auto const step = std::min<std::size_t>(
-        static_cast<std::size_t>(std::upper_bound(sum_.begin(), sum_.end(), u) - sum_.begin()), steps - 1);
-    double const before = step == 0 ? 0.0 : sum_[step - 1];
-    double const share = std::clamp((u - before) / (sum_[step] - before), 0.0, 1.0);
-    return {radius_ * (2.0 * (static_cast<double>(step) + share) / steps - 1.0), sign_[step]};
+    double const step = u * steps;
+    auto const below = static_cast<std::size_t>(step);
+    double const x =
+        places_[below] + (step - static_cast<double>(below)) * (places_[below + 1] - places_[below]);
+    return {x, std::abs(x) > changes_sign_ ? -1.0 : 1.0};
 }
 
 PixelSamples::PixelSamples(PictureOptions const& options, std::uint64_t seed)

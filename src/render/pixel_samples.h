@@ -25,10 +25,10 @@ class FilterPlaces {
     double mean_weight() const { return mean_weight_; }
 
   private:
-    double radius_, mean_weight_ = 1.0;
     bool box_;
-    std::vector<double> sum_; // of |f| up to the end of each step, from −radius to radius, of all: 1
-    std::vector<double> sign_;
+    double changes_sign_; // beyond it the filter is negative
+    double mean_weight_ = 1.0;
+    std::vector<double> places_; // at equal steps of the sum of |f|
 };
 
 /// One-dimensional filters, 0 beyond their radius, at x pixels from the middle. Mitchell: D. P. Mitchell and

@@ -87,6 +87,7 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
                       {"leaks", of(count(outcome.ended, Event::leak) + count(outcome.ended, Event::invalid))},
                       {"seconds_preparing", of(preparing)},
                       {"seconds", of(outcome.seconds)},
+                      {"cpu_seconds", of(outcome.cpu_seconds)},
                       {"seconds_writing", of(seconds_since(writing))},
                       {"threads", of(std::uint64_t{outcome.threads})}};
     return {of(table), outcome.whole};

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <mutex>
 
 namespace sahl {
@@ -62,6 +63,7 @@ class Renderer {
 RenderOutcome render_scene(PictureMaker const& maker, PictureOptions const& options, unsigned threads,
                            Progress const& progress, std::atomic<bool> const& stop) {
     auto const start = std::chrono::steady_clock::now();
+    std::clock_t const cpu_start = std::clock();
     RenderOutcome outcome{maker.empty_film()};
     outcome.threads = threads ? threads : static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism, outcome.threads);
@@ -79,6 +81,7 @@ RenderOutcome render_scene(PictureMaker const& maker, PictureOptions const& opti
         renderer.run(pass, 1);
     });
     outcome.whole = !stop;
+    outcome.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

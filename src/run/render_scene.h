@@ -10,8 +10,9 @@ namespace sahl {
 
 struct RenderOutcome {
     Film film;
-    EventCounts ended{};  // segments by the event that ended them
-    double seconds = 0.0; // of rendering alone
+    EventCounts ended{};      // segments by the event that ended them
+    double cpu_seconds = 0.0; // the same, of all threads of the process
+    double seconds = 0.0;     // of rendering alone
     unsigned threads = 1;
     bool whole = true;               // false: it was stopped
     std::uint64_t sampled_again = 0; // pixels that got all their samples because they differ from a neighbour
