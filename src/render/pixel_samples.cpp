@@ -10,9 +10,6 @@ namespace sahl {
 
 namespace {
 
-constexpr std::size_t steps = 1024;      // of equal weight: where the filter is low they are wide
-constexpr std::size_t fine_steps = 8192; // of a filter, each 1/2048 of a pixel wide or less
-
 /// What a pixel's numbers are drawn for.
 enum class Stream : std::uint64_t { film = 1, lens = 2, colour = 3 };
 
@@ -59,34 +56,34 @@ double filter_value(PixelFilter filter, double x) {
 }
 
 FilterPlaces::FilterPlaces(PixelFilter filter)
-    : box_(filter == PixelFilter::box),
-      changes_sign_(filter == PixelFilter::mitchell ? 1.0 : filter_radius(filter)) {
-    double const radius = filter_radius(filter), width = 2.0 * radius / fine_steps;
-    std::vector<double> sum{0.0}; // of |f| up to the end of each step
+    : box_(filter == PixelFilter::box), radius_(filter_radius(filter)),
+      changes_sign_(filter == PixelFilter::mitchell ? 8.0 / 7.0 : radius_) {
     double net = 0.0;
-    for (std::size_t i = 0; i < fine_steps; ++i) {
-        double const value = filter_value(filter, width * (static_cast<double>(i) + 0.5) - radius);
-        sum.push_back(sum.back() + std::abs(value));
+    for (std::size_t i = 0; i < steps; ++i) {
+        double const value = filter_value(filter, width() * (static_cast<double>(i) + 0.5) - radius_);
+        sum_.push_back(sum_.back() + std::abs(value));
         net += value;
     }
-    mean_weight_ = net / sum.back();
-    std::size_t i = 0;
-    for (std::size_t step = 0; step <= steps; ++step) {
-        double const share = sum.back() * static_cast<double>(step) / steps;
-        while (i + 1 < fine_steps && sum[i + 1] < share)
-            ++i;
-        double const within = std::clamp((share - sum[i]) / (sum[i + 1] - sum[i]), 0.0, 1.0);
-        places_.push_back(width * (static_cast<double>(i) + within) - radius);
+    double const all = sum_.back();
+    mean_weight_ = net / all;
+    std::uint16_t step = 0;
+    for (std::size_t i = 0; i < guides; ++i) {
+        while (sum_[step + 1U] * guides <= static_cast<double>(i) * all)
+            ++step;
+        first_step_.push_back(step);
     }
+    for (double& sum : sum_)
+        sum /= all;
 }
 
 FilterPlaces::Place FilterPlaces::at(double u) const {
     if (box_)
         return {u - 0.5, 1.0};
-    double const step = u * steps;
-    auto const below = static_cast<std::size_t>(step);
-    double const x =
-        places_[below] + (step - static_cast<double>(below)) * (places_[below + 1] - places_[below]);
+    std::size_t step = first_step_[static_cast<std::size_t>(u * guides)];
+    while (step + 1 < steps && sum_[step + 1] <= u)
+        ++step;
+    double const share = std::clamp((u - sum_[step]) / (sum_[step + 1] - sum_[step]), 0.0, 1.0);
+    double const x = width() * (static_cast<double>(step) + share) - radius_;
     return {x, std::abs(x) > changes_sign_ ? -1.0 : 1.0};
 }
 

@@ -25,10 +25,14 @@ class FilterPlaces {
     double mean_weight() const { return mean_weight_; }
 
   private:
+    static constexpr std::size_t steps = 2048, guides = 1024;
+    double width() const { return 2.0 * radius_ / steps; } // of a step, in pixels
+
     bool box_;
-    double changes_sign_; // beyond it the filter is negative
+    double radius_, changes_sign_; // beyond the latter it is negative
     double mean_weight_ = 1.0;
-    std::vector<double> places_; // at equal steps of the sum of |f|
+    std::vector<double> sum_{0.0};          // of |f| up to the end of each step, from −radius on; of all: 1
+    std::vector<std::uint16_t> first_step_; // to look at for u from each guide/guides on
 };
 
 /// One-dimensional filters, 0 beyond their radius, at x pixels from the middle. Mitchell: D. P. Mitchell and
