@@ -50,7 +50,7 @@ unsigned char to_byte(float value) { // NaN becomes 0
 /// Writes `image` to `file`; returns OpenImageIO's complaint, empty if all went well.
 std::string write_pixels(std::string const& file, Format const& format, Image const& image,
                          std::vector<std::pair<std::string, std::string>> const& metadata,
-                         std::vector<std::string> const& channel_names) {
+                         std::vector<std::string> const& channel_names, bool half_colours) {
     auto const out = OIIO::ImageOutput::create(std::string(format.reader));
     if (!out)
         return OIIO::geterror();
@@ -67,6 +67,10 @@ std::string write_pixels(std::string const& file, Format const& format, Image co
     }
     if (!channel_names.empty())
         spec.channelnames = channel_names;
+    if (half_colours && !bytes) {
+        spec.channelformats.assign(image.channels, OIIO::TypeDesc::FLOAT);
+        std::fill_n(spec.channelformats.begin(), std::min(image.channels, 3U), OIIO::TypeDesc::HALF);
+    }
     for (auto const& [key, value] : metadata)
         spec.attribute(key, value);
     if (!out->open(file, spec))
@@ -180,7 +184,7 @@ Image read_pixels(std::string const& name, Format const& format, std::uintmax_t 
 
 void write_image(std::filesystem::path const& file, Image const& image,
                  std::vector<std::pair<std::string, std::string>> const& metadata,
-                 std::vector<std::string> const& channel_names) {
+                 std::vector<std::string> const& channel_names, bool half_colours) {
     Format const* const format = format_of(file);
     if (format == nullptr || !format->writable)
         throw InputError(file.string(), "no image can be written with this ending", "use .exr or .png");
@@ -193,7 +197,7 @@ void write_image(std::filesystem::path const& file, Image const& image,
 
     std::filesystem::path part = file;
     part += ".part";
-    std::string problem = write_pixels(part.string(), *format, image, metadata, channel_names);
+    std::string problem = write_pixels(part.string(), *format, image, metadata, channel_names, half_colours);
     std::error_code failed;
     if (problem.empty()) {
         std::filesystem::rename(part, file, failed);

@@ -21,10 +21,11 @@ struct Image {
 /// Writes to a temporary name and renames. The format is that of the ending: .exr (32-bit float, ZIP) or .png
 /// (8 bits, values clamped to [0, 1] as they stand: encode to sRGB first). `metadata` goes into the header.
 /// `channel_names`: of all of them, or none; an EXR keeps them.
+/// `half_colours`: the first three channels of an EXR have 16 bits.
 /// The same pixels give the same bytes. Throws InputError where the file cannot be written.
 void write_image(std::filesystem::path const& file, Image const& image,
                  std::vector<std::pair<std::string, std::string>> const& metadata = {},
-                 std::vector<std::string> const& channel_names = {});
+                 std::vector<std::string> const& channel_names = {}, bool half_colours = false);
 
 /// Reads EXR, PNG, JPEG or HDR, by the ending, never another format; at most 32768 × 32768, 4 channels and
 /// `most_pixels`. Throws InputError.

@@ -38,7 +38,7 @@ void write_files(RenderOptions const& options, Film const& film, PictureOptions 
         if (file.extension() == ".png")
             write_image(file, srgb_picture(film, how.exposure), metadata);
         else
-            write_image(file, linear_layers(film), metadata, layer_names());
+            write_image(file, linear_layers(film), metadata, layer_names(), how.half_exr);
     }
 }
 

@@ -99,6 +99,7 @@ constexpr Key picture_keys[] = {
      "disperses; 1: one tree even then",
      {0.0, 64.0}},
     {"caustics", Kind::table, {}, "adds light of the sources, traced to a detector, to the paint it lies on"},
+    {"exr", Kind::text, "float", "colours of an EXR: \"float\" (32 bits) or \"half\" (16 bits)"},
     {"exposure", Kind::number, 0.0, "stops by which the PNG is brighter: 1 doubles", {-32.0, 32.0}},
 };
 

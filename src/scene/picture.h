@@ -77,6 +77,7 @@ struct PictureOptions {
     dvec3 ambient{1.0};            // light from everywhere, on `ambient` of paint
     std::uint32_t wavelengths = 0; // traced for each sample; 0: as many as the scene needs
     std::optional<Caustics> caustics{};
+    bool half_exr = false; // colours of an EXR in 16 bits
     double exposure = 0.0; // stops, applied to the PNG
 };
 

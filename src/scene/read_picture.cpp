@@ -139,6 +139,7 @@ PictureOptions read_how(Fields const& fields) {
         options.caustics = Caustics{caustics.text("detector"), caustics.number("white_W_per_mm2") * 1e6,
                                     caustics.place("detector")};
     }
+    options.half_exr = fields.choice<bool>("exr", {{"float", false}, {"half", true}});
     options.exposure = fields.number("exposure");
     return options;
 }
