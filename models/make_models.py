@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the models of this folder but for the bunny: balls, biconvex lenses, prisms, light guides. See README.md.
+"""Writes the models of this folder but for the bunny: balls, biconvex lenses, prisms, light guides, a wine glass. See README.md.
 
 Usage: make_models.py [--check]     --check compares with the files that are there, and writes nothing
 
@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import polyhedra
+from glassware import wine_glass
 from light_guides import bent_guide, box
 from model_files import INDEX, Body, Face, document, glb, gltf, obj, unit
 
@@ -142,6 +143,7 @@ def models():
     guide = Body("bent-guide", bent_guide(5 * MM, 10 * MM, 10 * MM, 64), 5 * MM)
     files["bent-guide.glb"] = glb(*document([guide]))
     files["bent-guide.obj"], files["bent-guide.mtl"] = obj(guide, "bent-guide.mtl")
+    files["wine-glass.glb"] = glb(*document(wine_glass()))
     files[polyhedra.LIBRARY] = polyhedra.library(INDEX)
     files["dove.obj"] = polyhedra.obj("dove", polyhedra.dove(42.6, 10.0760411697982, 12))
     files["pellin-broca.obj"] = polyhedra.obj("pellin-broca", polyhedra.pellin_broca(40, 16.7, 20))

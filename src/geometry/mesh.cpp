@@ -29,11 +29,15 @@ void keep_triangles(TriangleSoup& soup, std::vector<Corners>& corners, Keep cons
             continue;
         soup.triangles[kept] = soup.triangles[t];
         soup.triangle_face[kept] = soup.triangle_face[t];
+        if (!soup.texture_coordinates.empty())
+            soup.texture_coordinates[kept] = soup.texture_coordinates[t];
         corners[kept] = corners[t];
         ++kept;
     }
     soup.triangles.resize(kept);
     soup.triangle_face.resize(kept);
+    if (!soup.texture_coordinates.empty())
+        soup.texture_coordinates.resize(kept);
     corners.resize(kept);
 }
 
@@ -114,6 +118,8 @@ Mesh make_mesh(TriangleSoup soup) {
     auto const turn = [&](std::size_t t) {
         std::swap(corners[t][1], corners[t][2]);
         std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+        if (!soup.texture_coordinates.empty())
+            std::swap(soup.texture_coordinates[t][1], soup.texture_coordinates[t][2]);
     };
     for (std::size_t t = 0; t < corners.size(); ++t)
         if (topology.turned[t])

@@ -19,6 +19,9 @@ struct TriangleSoup {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::uint32_t> triangle_face; // which named face of the object; all 0 where it has one
     std::vector<std::string> face_names;      // at least one
+    // of each triangle's corners, from the left and from the bottom of a picture, 0 to 1 once over it; empty:
+    // no surface takes its colour from one
+    std::vector<std::array<vec2, 3>> texture_coordinates{};
 };
 
 /// One component. `sign` +1: normals point out of the volume it encloses; −1: into it (a cavity).

@@ -42,6 +42,8 @@ Mesh part_of(Mesh const& mesh, std::span<std::uint32_t const> shells) {
             continue;
         part.soup.triangles.push_back(mesh.soup.triangles[t]);
         part.soup.triangle_face.push_back(mesh.soup.triangle_face[t]);
+        if (!mesh.soup.texture_coordinates.empty())
+            part.soup.texture_coordinates.push_back(mesh.soup.texture_coordinates[t]);
         part.triangle_shell.push_back(shell);
     }
     for (FlatTriangle const& flat : mesh.flat)

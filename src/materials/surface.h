@@ -65,6 +65,7 @@ struct ThinWall {
 struct Surface {
     std::string name;
     std::variant<Metal, Shares, Absorber, Diffuse, Paint, Tinted, ThinWall> kind = Absorber{};
+    std::optional<TextureId> texture{}; // in pictures its colour is times that of this one
 };
 
 /// n + ik of a metal at `wavelength` (m).

@@ -20,6 +20,7 @@ using MediumId = Id<struct MediumTag>;   // what a body is made of
 using SurfaceId = Id<struct SurfaceTag>; // what a face is finished with: metal, absorber, constant shares …
 using SourceId = Id<struct SourceTag>;   //
 using DetectorId = Id<struct DetectorTag>; //
+using TextureId = Id<struct TextureTag>;   // a picture that a surface takes its colour from
 using WavelengthId =
     Id<struct WavelengthTag>; // an entry of the list of all distinct wavelengths of an experiment
 

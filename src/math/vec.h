@@ -17,6 +17,7 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::length;
 using glm::normalize;
+using glm::vec2; // single precision, for what a file has in it and no light depends on
 
 /// x ↦ linear · x + offset. Lengths in metres.
 struct Affine {

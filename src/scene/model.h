@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/mesh.h"
+#include "image/texture.h"
 #include "math/vec.h"
 
 #include <array>
@@ -25,12 +26,19 @@ struct ModelVolume {
     std::array<double, 3> attenuation_color{1.0, 1.0, 1.0};                // [0, 1], linear RGB
 };
 
-/// A picture that a material's colour is taken from. Its file is neither opened nor checked: whoever opens it
-/// must see that it lies in the model's folder.
+/// A picture that a material's colour is taken from. Where it is a file, that lies in the model's folder,
+/// links followed, and was not opened.
 struct ModelTexture {
-    std::filesystem::path file;         // empty: the picture lies within the glTF file
-    std::optional<std::uint32_t> image; // index into a glTF file's images
-    std::uint32_t coordinates = 0;      // which of a glTF file's sets of texture coordinates
+    std::filesystem::path file{};
+    std::shared_ptr<std::vector<unsigned char> const> bytes{}; // of a picture within the model's file
+    std::string place{};                                       // what a message about it starts with
+    std::string problem{}; // why there is no picture; empty: there is one, as far as can be seen from outside
+    Wrap across = Wrap::repeat, up = Wrap::repeat;
+    std::uint32_t coordinates = 0; // which of a glTF file's sets of texture coordinates
+    // what the file's coordinates go through, in its own sense of up, before they are kept: uv ↦ linear · uv
+    // + offset
+    std::array<dvec2, 2> linear{dvec2(1.0, 0.0), dvec2(0.0, 1.0)}; // columns
+    dvec2 offset{0.0};
 };
 
 enum class AlphaMode { opaque, mask, blend };
@@ -47,7 +55,8 @@ struct ModelMaterial {
     std::array<double, 3> specular_color{1.0, 1.0, 1.0};  // ≥ 0, the same
     std::optional<ModelVolume> volume;                    // absent: no KHR_materials_volume
     bool may_be_body = false; // without volume: the format has no word for it, and a closed mesh is a body
-    std::optional<ModelTexture> color_texture; // for pictures; tracing takes base_color for all of it
+    std::optional<ModelTexture>
+        color_texture; // for pictures, times base_color; tracing takes base_color alone
     AlphaMode alpha_mode = AlphaMode::opaque;
     double alpha_cutoff = 0.5; // with mask: what covers less is not there
     bool double_sided = false;
@@ -60,8 +69,6 @@ struct ModelMesh {
     std::string name;
     TriangleSoup soup;                                       // in the mesh's own frame, metres
     std::vector<std::optional<std::uint32_t>> face_material; // by face; index into Model::materials
-    // by triangle of `soup`; from the left and from the bottom, 0 to 1 once over the picture. Empty: none
-    std::vector<std::array<dvec2, 3>> texture_coordinates{};
 };
 
 /// What the file's tree says of an instance beside its place.

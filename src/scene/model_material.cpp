@@ -92,11 +92,16 @@ void MaterialBook::warn(std::string const& text) {
         scene_.warnings.push_back(std::move(line));
 }
 
-SurfaceId MaterialBook::add(std::string const& name, Surface surface) {
+SurfaceId MaterialBook::add(ModelMaterial const& material, std::string const& name, Surface surface) {
     for (std::uint32_t i = 0; i < scene_.surfaces.size(); ++i)
         if (scene_.surfaces[i].name == name)
             return {i};
     surface.name = name;
+    if (auto const& texture = material.color_texture) {
+        surface.texture = TextureId{static_cast<std::uint32_t>(scene_.textures.size())};
+        scene_.textures.push_back({texture->file, texture->bytes, texture->place, texture->problem,
+                                   texture->across, texture->up, true});
+    }
     scene_.surfaces.push_back(std::move(surface));
     return {static_cast<std::uint32_t>(scene_.surfaces.size() - 1)};
 }
@@ -143,20 +148,20 @@ std::optional<SurfaceId> MaterialBook::boundary(ModelMaterial const& material) {
     warn_of_tint(material, false);
     std::string const name = object_ + ":" + material.name;
     if (!is_glass(material))
-        return add(name, {{}, opaque_kind(material)});
+        return add(material, name, {{}, opaque_kind(material)});
     Tinted const tinted{1.0 - material.metallic, times(material.transmission, base(material)),
                         mirrored(material)};
     if (tinted.clear == 1.0 && tinted.transmitted == Colour{1.0, 1.0, 1.0})
         return std::nullopt;
-    return add(name, {{}, tinted});
+    return add(material, name, {{}, tinted});
 }
 
 SurfaceId MaterialBook::sheet(ModelMaterial const& material) {
     std::string const name = object_ + ":" + material.name;
     warn_of_tint(material, true);
     if (!is_glass(material))
-        return add(name, {{}, opaque_kind(material)});
-    return add(name + " (thin wall)",
+        return add(material, name, {{}, opaque_kind(material)});
+    return add(material, name + " (thin wall)",
                {{},
                 ThinWall{medium(material), 1.0 - material.metallic,
                          times(material.transmission, base(material)), mirrored(material)}});

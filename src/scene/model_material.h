@@ -31,7 +31,7 @@ class MaterialBook {
     void warn(std::string const& text);
 
   private:
-    SurfaceId add(std::string const& name, Surface surface);
+    SurfaceId add(ModelMaterial const& material, std::string const& name, Surface surface);
     void warn_of_tint(ModelMaterial const& material, bool thin);
 
     Scene& scene_;

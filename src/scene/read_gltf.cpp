@@ -13,12 +13,13 @@ Model read_gltf(std::filesystem::path const& path) {
     Value const tree = checked_gltf_tree(file, model.warnings);
     tinygltf::Model const parsed = load_gltf(file, tree);
 
-    model.materials = gltf_materials(tree, path.parent_path());
+    model.materials = gltf_materials(file, tree, parsed);
     model.meshes = gltf_meshes(parsed, model.materials, file.name(), model.warnings);
     GltfScene scene = gltf_scene(parsed, tree, model.warnings);
     model.instances = std::move(scene.instances);
     add_cameras_and_lights(tree, scene.others, model);
     model.extras = gltf::extras_of(tree);
+    GltfTextures(file, tree, parsed).warn_of_images(model.warnings);
     warn_of_harmless_faults(file, tree, model.warnings);
     warn_of_accessors(parsed, tree, model.warnings);
     return model;

@@ -36,38 +36,6 @@ std::string percent_decoded(std::string const& uri) {
     return text;
 }
 
-/// The file that a relative URI names, under `folder` even after links are followed.
-fs::path file_of_uri(std::string const& uri, fs::path const& folder, std::string const& place) {
-    std::string const remedy = "put the file beside the model and name it as in \"data.bin\"";
-    std::string const text = percent_decoded(uri);
-    bool bad = text.empty() || text.front() == '/' ||
-               text.find_first_of(std::string(":\\\0", 3)) != std::string::npos;
-    for (fs::path const& part : fs::path(text))
-        bad = bad || part.empty() || part == "." || part == "..";
-    if (bad)
-        throw InputError(place, "\"" + uri.substr(0, 80) + "\" is no path to a file in the model's folder",
-                         remedy);
-    std::error_code error;
-    fs::path const home = fs::canonical(folder, error);
-    fs::path const found = error ? fs::path() : fs::canonical(folder / text, error);
-    if (error)
-        throw InputError(place, "there is no file \"" + text + "\" in the model's folder", remedy);
-    if (std::mismatch(home.begin(), home.end(), found.begin(), found.end()).first != home.end())
-        throw InputError(place, "\"" + text + "\" leads out of the model's folder", remedy);
-    return found;
-}
-
-std::vector<unsigned char> decoded_data_uri(std::string const& uri, std::string const& place) {
-    std::vector<unsigned char> bytes;
-    std::string mime_type;
-    if (!tinygltf::IsDataURI(uri))
-        throw InputError(place, "a data URI of this kind cannot be read",
-                         "write data:application/octet-stream;base64,… or export as .glb");
-    if (!tinygltf::DecodeDataURI(&bytes, mime_type, uri, 0, false))
-        throw InputError(place, "its base64 data cannot be read", "export the file again");
-    return bytes;
-}
-
 /// The bytes of one buffer; none where it has no data of its own, as the specification allows.
 std::vector<unsigned char> bytes_of_buffer(GltfFile const& file, Value const& buffer, bool first,
                                            std::uint64_t size) {
@@ -164,6 +132,37 @@ bool write_nothing(std::string*, std::string const&, std::vector<unsigned char> 
 }
 
 } // namespace
+
+fs::path file_of_uri(std::string const& uri, fs::path const& folder, std::string const& place) {
+    std::string const remedy = "put the file beside the model and name it as in \"data.bin\"";
+    std::string const text = percent_decoded(uri);
+    bool bad = text.empty() || text.front() == '/' ||
+               text.find_first_of(std::string(":\\\0", 3)) != std::string::npos;
+    for (fs::path const& part : fs::path(text))
+        bad = bad || part.empty() || part == "." || part == "..";
+    if (bad)
+        throw InputError(place, "\"" + uri.substr(0, 80) + "\" is no path to a file in the model's folder",
+                         remedy);
+    std::error_code error;
+    fs::path const home = fs::canonical(folder, error);
+    fs::path const found = error ? fs::path() : fs::canonical(folder / text, error);
+    if (error)
+        throw InputError(place, "there is no file \"" + text + "\" in the model's folder", remedy);
+    if (std::mismatch(home.begin(), home.end(), found.begin(), found.end()).first != home.end())
+        throw InputError(place, "\"" + text + "\" leads out of the model's folder", remedy);
+    return found;
+}
+
+std::vector<unsigned char> decoded_data_uri(std::string const& uri, std::string const& place) {
+    std::vector<unsigned char> bytes;
+    std::string mime_type;
+    if (!tinygltf::IsDataURI(uri))
+        throw InputError(place, "a data URI of this kind cannot be read",
+                         "write data:application/octet-stream;base64,… or export as .glb");
+    if (!tinygltf::DecodeDataURI(&bytes, mime_type, uri, 0, false))
+        throw InputError(place, "its base64 data cannot be read", "export the file again");
+    return bytes;
+}
 
 tinygltf::Model load_gltf(GltfFile const& file, Value const& tree) {
     std::string const text = to_json(structure_of(tree));

@@ -29,9 +29,7 @@ void check_collections(Value const& tree, GltfFaults& faults) {
     }
     for (auto const& [key, what] :
          {std::pair{"animations", "animations are left out: nodes stand where they are at rest"},
-          std::pair{"skins", "skins are left out: meshes have their rest shape"},
-          std::pair{"images", "images are not opened: a material's factors are taken for all of it"},
-          std::pair{"textures", "textures are not used: a material's factors are taken for all of it"}})
+          std::pair{"skins", "skins are left out: meshes have their rest shape"}})
         if (!gltf_entries(tree, key).empty())
             faults.add(tree.find(key)->place, what);
 }

@@ -72,10 +72,11 @@ std::string rounded(double number) {
     return buffer;
 }
 
+/// Beside that of the colour.
 bool any_texture(Value const* table) {
     if (auto const* const entries = table ? std::get_if<Table>(&table->data) : nullptr)
         for (auto const& [key, value] : *entries)
-            if (key.size() >= 7 && key.compare(key.size() - 7, 7, "Texture") == 0)
+            if (key.ends_with("Texture") && key != "baseColorTexture")
                 return true;
     return false;
 }
@@ -99,7 +100,11 @@ void warn_of_what_is_left_out(ModelMaterial& material, Value const& entry) {
         for (auto const& [name, extension] : *all)
             textures = textures || any_texture(&extension);
     if (textures)
-        warn("its textures are not used; the factors are taken for all of it");
+        warn("its textures are not used, but for that of the base colour; the factors are taken for all of "
+             "it");
+    if (material.color_texture)
+        warn(
+            "the texture of its base colour shows in pictures alone: tracing takes the factor for all of it");
     bool const shiny = material.transmission > 0.0 || material.metallic > 0.0;
     if (shiny && material.roughness > 0.0)
         warn("its roughness of " + rounded(material.roughness) + " is not modelled: surfaces are smooth");
@@ -134,40 +139,11 @@ void read_specular(ModelMaterial& material, Value const* extension) {
         material.specular_color[i] = at_least(&std::get<Array>(color->data)[i], 0.0, 1.0, "give 0 or more");
 }
 
-/// The entry of a list at the root; none where the index is none, or names nothing.
-Value const* entry_of(Value const& tree, char const* list, std::optional<std::uint32_t> index) {
-    Value const* const found = index ? tree.find(list) : nullptr;
-    auto const* const entries = found ? std::get_if<Array>(&found->data) : nullptr;
-    return entries && *index < entries->size() ? &(*entries)[*index] : nullptr;
-}
-
-std::optional<std::uint32_t> index_in(Value const* table, char const* key) {
-    Value const* const value =
-        table && std::holds_alternative<Table>(table->data) ? table->find(key) : nullptr;
-    auto const* const number = value ? std::get_if<std::int64_t>(&value->data) : nullptr;
-    if (!number || *number < 0 || *number > std::numeric_limits<std::int32_t>::max())
-        return std::nullopt;
-    return static_cast<std::uint32_t>(*number);
-}
-
-/// What is wrong with it changes no light: then there is none.
-std::optional<ModelTexture> read_texture(Value const& tree, Value const* use,
-                                         std::filesystem::path const& folder) {
-    auto const source = index_in(entry_of(tree, "textures", index_in(use, "index")), "source");
-    Value const* const image = entry_of(tree, "images", source);
-    if (!image || !std::holds_alternative<Table>(image->data))
-        return std::nullopt;
-    ModelTexture texture{{}, source, index_in(use, "texCoord").value_or(0)};
-    Value const* const value = image->find("uri");
-    if (auto const* const uri = value ? std::get_if<std::string>(&value->data) : nullptr;
-        uri && !uri->starts_with("data:"))
-        texture.file = folder / *uri;
-    return texture;
-}
-
 } // namespace
 
-std::vector<ModelMaterial> gltf_materials(Value const& tree, std::filesystem::path const& folder) {
+std::vector<ModelMaterial> gltf_materials(GltfFile const& file, Value const& tree,
+                                          tinygltf::Model const& model) {
+    GltfTextures textures(file, tree, model);
     std::vector<ModelMaterial> materials;
     Value const* const list = tree.find("materials");
     for (Value const& entry : list ? std::get<Array>(list->data) : Array()) {
@@ -185,7 +161,7 @@ std::vector<ModelMaterial> gltf_materials(Value const& tree, std::filesystem::pa
         material.ior = read_ior(find(find(extensions, "KHR_materials_ior"), "ior"));
         material.dispersion = at_least(find(find(extensions, "KHR_materials_dispersion"), "dispersion"), 0.0,
                                        0.0, "give 20 / V_d, or 0 for none");
-        material.color_texture = read_texture(tree, find(pbr, "baseColorTexture"), folder);
+        material.color_texture = textures.of(find(pbr, "baseColorTexture"));
         read_specular(material, find(extensions, "KHR_materials_specular"));
         material.volume = read_volume(find(extensions, "KHR_materials_volume"));
         material.alpha_mode = read_alpha_mode(entry.find("alphaMode"));

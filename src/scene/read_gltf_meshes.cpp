@@ -55,7 +55,7 @@ struct MeshReader {
                                           std::size_t vertices);
     void add_triangles(tinygltf::Primitive const& primitive, std::uint32_t face, std::string const& place,
                        std::optional<ModelTexture> const& texture);
-    void keep_textures(tinygltf::Primitive const& primitive, std::uint32_t set, std::uint32_t first,
+    void keep_textures(tinygltf::Primitive const& primitive, ModelTexture const& texture, std::uint32_t first,
                        std::size_t first_triangle);
     void make_flat_normals(std::size_t first_triangle);
     void mend_zero_normals(std::size_t first_triangle, std::string const& place);
@@ -148,7 +148,7 @@ void MeshReader::add_triangles(tinygltf::Primitive const& primitive, std::uint32
         add(i + 1, i + 2, 0);
     soup.triangle_face.resize(soup.triangles.size(), face);
     if (texture)
-        keep_textures(primitive, texture->coordinates, first, first_triangle);
+        keep_textures(primitive, *texture, first, first_triangle);
     if (any_normals && attribute(primitive, "NORMAL") < 0)
         make_flat_normals(first_triangle);
     else if (any_normals)
@@ -156,9 +156,9 @@ void MeshReader::add_triangles(tinygltf::Primitive const& primitive, std::uint32
 }
 
 /// Coordinates that cannot be read change no light: warn_of_accessors tells of them, and none are kept.
-void MeshReader::keep_textures(tinygltf::Primitive const& primitive, std::uint32_t set, std::uint32_t first,
-                               std::size_t first_triangle) {
-    std::string const name = "TEXCOORD_" + std::to_string(set);
+void MeshReader::keep_textures(tinygltf::Primitive const& primitive, ModelTexture const& texture,
+                               std::uint32_t first, std::size_t first_triangle) {
+    std::string const name = "TEXCOORD_" + std::to_string(texture.coordinates);
     std::vector<double> numbers;
     try {
         if (int const accessor = attribute(primitive, name.c_str()); accessor >= 0)
@@ -168,11 +168,14 @@ void MeshReader::keep_textures(tinygltf::Primitive const& primitive, std::uint32
     }
     if (numbers.empty())
         return;
-    mesh.texture_coordinates.resize(soup.triangles.size());
+    soup.texture_coordinates.resize(soup.triangles.size());
     for (std::size_t t = first_triangle; t < soup.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
-            if (std::size_t const i = 2 * (soup.triangles[t][k] - first); i + 1 < numbers.size())
-                mesh.texture_coordinates[t][k] = {numbers[i], 1.0 - numbers[i + 1]}; // v runs downwards
+            if (std::size_t const i = 2 * (soup.triangles[t][k] - first); i + 1 < numbers.size()) {
+                dvec2 const uv =
+                    numbers[i] * texture.linear[0] + numbers[i + 1] * texture.linear[1] + texture.offset;
+                soup.texture_coordinates[t][k] = {uv.x, 1.0 - uv.y}; // v runs downwards
+            }
 }
 
 /// Without normals a primitive is flat (glTF 2.0, section 3.7.2.1): each corner gets a vertex of its own.
@@ -265,8 +268,8 @@ std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<Mod
                 warnings.push_back(here +
                                    "/targets: morph targets are left out: the mesh has its rest shape");
         }
-        if (!mesh.texture_coordinates.empty())
-            mesh.texture_coordinates.resize(mesh.soup.triangles.size());
+        if (!mesh.soup.texture_coordinates.empty())
+            mesh.soup.texture_coordinates.resize(mesh.soup.triangles.size());
         if (mesh.soup.face_names.empty()) {
             mesh.soup.face_names.push_back("surface");
             mesh.face_material.push_back(std::nullopt);

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -87,8 +90,36 @@ struct AccessorBudget {
 std::vector<double> accessor_numbers(tinygltf::Model const& model, int accessor, int components,
                                      std::string const& place, AccessorBudget& budget);
 
-/// folder   of the file, where its pictures lie
-std::vector<ModelMaterial> gltf_materials(Value const& tree, std::filesystem::path const& folder);
+/// The file that a relative URI names, under `folder` even after links are followed. Throws InputError where
+/// there is none.
+std::filesystem::path file_of_uri(std::string const& uri, std::filesystem::path const& folder,
+                                  std::string const& place);
+std::vector<unsigned char> decoded_data_uri(std::string const& uri, std::string const& place);
+
+/// The pictures of a file's materials, the bytes of those within it kept once. What is wrong with one changes
+/// no light: it is left as a problem that whoever makes a picture tells.
+class GltfTextures {
+  public:
+    GltfTextures(GltfFile const& file, Value const& tree, tinygltf::Model const& model)
+        : file_(file), tree_(tree), model_(model) {}
+
+    /// use   a textureInfo; none where there is none
+    std::optional<ModelTexture> of(Value const* use);
+    /// Warns of images that are nowhere, whether a material uses them or not; none is opened.
+    void warn_of_images(std::vector<std::string>& warnings) const;
+
+  private:
+    void find_image(std::uint32_t image, ModelTexture& texture);
+    std::span<unsigned char const> bytes_of_view(Value const& image) const;
+
+    GltfFile const& file_;
+    Value const& tree_;
+    tinygltf::Model const& model_;
+    std::map<std::uint32_t, ModelTexture> images_{}; // where each image is
+};
+
+std::vector<ModelMaterial> gltf_materials(GltfFile const& file, Value const& tree,
+                                          tinygltf::Model const& model);
 std::vector<ModelMesh> gltf_meshes(tinygltf::Model const& model, std::vector<ModelMaterial> const& materials,
                                    std::string const& file, std::vector<std::string>& warnings);
 

@@ -80,8 +80,7 @@ ModelMaterial understood(MtlMaterial const& source, Warnings& warnings, Warnings
     ModelMaterial material;
     material.name = source.name;
     material.metallic = material.roughness = 0.0;
-    if (!source.map_kd.empty())
-        material.color_texture = ModelTexture{source.map_kd, {}, 0};
+    material.color_texture = source.map_kd;
     std::vector<std::string_view> decisive{"illum", "d", "Tr", "Pm"};
     double const seen_through = transparency(source, warnings);
     bool const metal = source.pm.value_or(0.0) >= 0.5;

@@ -46,6 +46,7 @@ std::vector<std::uint32_t> meshes_of_runs(ObjText const& text) {
 /// A mesh on its way: its triangles' corners are places in ObjText::corners until they get vertices.
 struct MeshMaker {
     ObjText const& text;
+    std::vector<ModelMaterial> const& materials;
     std::uint64_t& patience;
     ModelMesh mesh;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -140,15 +141,28 @@ void MeshMaker::make_vertices() {
 }
 
 /// Texture coordinates stay with the corners: they would part vertices that are one place of one surface.
+/// They are kept where a material takes its colour from a picture.
 void MeshMaker::keep_textures() {
-    auto const of = [&](std::uint32_t corner) {
-        std::uint32_t const t =
-            corner < text.corner_textures.size() ? text.corner_textures[corner] : obj_none;
-        return t < text.texture_coordinates.size() ? text.texture_coordinates[t] : dvec2(0.0);
+    auto const texture_of = [&](std::optional<std::uint32_t> material) -> ModelTexture const* {
+        return material && materials[*material].color_texture ? &*materials[*material].color_texture
+                                                              : nullptr;
     };
-    if (!text.corner_textures.empty() && !text.texture_coordinates.empty())
-        for (auto const& [a, b, c] : triangles)
-            mesh.texture_coordinates.push_back({of(a), of(b), of(c)});
+    bool const any = std::any_of(mesh.face_material.begin(), mesh.face_material.end(), texture_of);
+    if (!any || text.corner_textures.empty() || text.texture_coordinates.empty())
+        return;
+    mesh.soup.texture_coordinates.resize(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        ModelTexture const* const texture = texture_of(mesh.face_material[faces[t]]);
+        for (std::size_t k = 0; texture && k < 3; ++k) {
+            std::uint32_t const corner = triangles[t][k];
+            std::uint32_t const number =
+                corner < text.corner_textures.size() ? text.corner_textures[corner] : obj_none;
+            dvec2 const uv =
+                number < text.texture_coordinates.size() ? text.texture_coordinates[number] : dvec2(0.0);
+            mesh.soup.texture_coordinates[t][k] =
+                uv.x * texture->linear[0] + uv.y * texture->linear[1] + texture->offset;
+        }
+    }
 }
 
 void MeshMaker::make_normals(std::vector<std::uint32_t> const& corner_of_vertex) {
@@ -206,7 +220,7 @@ void add_obj_meshes(Model& model, ObjText const& text, std::string const& file) 
     std::uint64_t tangled = 0, without_length = 0;
     std::uint64_t patience = 3000000000; // some seconds for all polygons of a file
     for (auto const& [first, runs] : runs_of_mesh) {
-        MeshMaker maker{text, patience, {}, {}, {}};
+        MeshMaker maker{text, model.materials, patience, {}, {}, {}};
         bool const all_groups = text.objects.empty() && runs_of_mesh.size() == 1 && text.groups.size() > 1;
         maker.mesh.name = name_of(text, text.runs[first], all_groups, file);
         for (std::uint32_t const r : runs)

@@ -52,8 +52,9 @@ fs::path file_inside(fs::path const& folder, std::string name, std::string& prob
 /// One MTL file on its way into the library.
 class MtlReader {
   public:
-    MtlReader(std::string_view text, std::string const& file, MtlLibrary& library, Warnings& warnings)
-        : in_(text, file), file_(file), library_(library), warnings_(warnings) {}
+    MtlReader(std::string_view text, std::string const& file, fs::path folder, MtlLibrary& library,
+              Warnings& warnings)
+        : in_(text, file), file_(file), folder_(std::move(folder)), library_(library), warnings_(warnings) {}
 
     void read();
 
@@ -63,7 +64,7 @@ class MtlReader {
     std::optional<double> number(MtlMaterial& material, std::string_view key, std::string_view word,
                                  double low, double high);
     std::optional<std::array<double, 3>> colour(MtlMaterial& material, std::string_view key);
-    std::string texture_file();
+    ModelTexture texture();
     void fault(MtlMaterial& material, std::string_view key, std::string_view word, std::string const& remedy);
     static void leave_out(MtlMaterial& material, std::string const& what) {
         if (std::find(material.left_out.begin(), material.left_out.end(), what) == material.left_out.end())
@@ -72,6 +73,7 @@ class MtlReader {
 
     ObjLines in_;
     std::string file_;
+    fs::path folder_; // of the MTL file, which lies in the model's
     MtlLibrary& library_;
     Warnings& warnings_;
     MtlMaterial second_; // of a name that is taken: read, and forgotten
@@ -137,26 +139,41 @@ std::optional<std::array<double, 3>> MtlReader::colour(MtlMaterial& material, st
     return values;
 }
 
-/// The file's name, which may have blanks, behind options: each a word with a minus and its values.
-std::string MtlReader::texture_file() {
+/// The file's name, which may have blanks, behind options: each a word with a minus and its values. Of these
+/// -s and -o change the coordinates, and -clamp what is beyond the borders (MTL, version 3.0, "Options for
+/// texture map statements").
+ModelTexture MtlReader::texture() {
+    ModelTexture texture;
+    texture.place = in_.place();
     std::string_view name = in_.rest();
     while (name.starts_with('-')) {
         ObjLines words(name, file_);
         words.next_line();
         std::string_view const option = words.word();
         bool const vector = option == "-o" || option == "-s" || option == "-t"; // of one to three numbers
-        for (int values = option == "-mm" ? 2 : vector ? 3 : 1; values > 0; --values) {
+        std::array<double, 3> numbers{option == "-s" ? 1.0 : 0.0, option == "-s" ? 1.0 : 0.0, 0.0};
+        std::string_view value;
+        for (std::size_t i = 0; i < (option == "-mm" ? 2U : vector ? 3U : 1U); ++i) {
             ObjLines ahead = words;
-            double number = 0.0;
-            if (vector && !read_number(ahead.word(), number))
+            if (vector && !read_number(ahead.word(), numbers[i]))
                 break;
-            words.word();
+            value = words.word();
         }
+        if (option == "-s")
+            texture.linear = {dvec2(numbers[0], 0.0), dvec2(0.0, numbers[1])};
+        else if (option == "-o")
+            texture.offset = {numbers[0], numbers[1]};
+        else if (option == "-clamp" && value == "on")
+            texture.across = texture.up = Wrap::clamp;
         name = words.rest();
     }
-    std::string file(name);
-    std::replace(file.begin(), file.end(), '\\', '/');
-    return file;
+    if (name.empty())
+        return texture;
+    std::string problem;
+    texture.file = file_inside(folder_, std::string(name), problem);
+    if (!problem.empty())
+        texture.problem = "the picture " + shown(name) + " " + problem;
+    return texture;
 }
 
 void MtlReader::statement(MtlMaterial& material, std::string_view key) {
@@ -190,9 +207,11 @@ void MtlReader::statement(MtlMaterial& material, std::string_view key) {
         material.tf = colour(material, key);
     } else if (key == "map_Kd" || key == "map_Ks" || key == "map_d") {
         leave_out(material,
-                  "its texture " + std::string(key) + " is not used; the number is taken for all of it");
-        if (std::string const file = texture_file(); key == "map_Kd" && !file.empty())
-            material.map_kd = fs::path(file_).parent_path() / file;
+                  "its texture " + std::string(key) +
+                      (key == "map_Kd" ? " shows in pictures alone; tracing takes the number for all of it"
+                                       : " is not used; the number is taken for all of it"));
+        if (ModelTexture const map = texture(); key == "map_Kd" && !(map.file.empty() && map.problem.empty()))
+            material.map_kd = map;
     } else if (is_one_of(bumps)) {
         leave_out(material, "its " + std::string(key) + " is left out: surfaces are as smooth as the mesh");
     } else if (key == "Pr") {
@@ -241,7 +260,8 @@ void add_mtl_files(fs::path const& folder, std::string const& names, std::string
         if (problem.empty()) {
             try {
                 std::string const text = file_text(file);
-                MtlReader(text, (folder.parent_path() / name).string(), library, warnings).read();
+                MtlReader(text, (folder.parent_path() / name).string(), file.parent_path(), library, warnings)
+                    .read();
             } catch (InputError const&) {
                 problem = "cannot be read";
             }

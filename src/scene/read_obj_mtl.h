@@ -2,6 +2,8 @@
 // Shared by read_obj*.cpp alone.
 #pragma once
 
+#include "scene/model.h"
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -24,7 +26,7 @@ struct MtlMaterial {
     std::optional<int> illum;                        // [0, 10]
     std::optional<std::array<double, 3>> kd, ks, tf; // ≥ 0
     std::string ni_text, ni_place;
-    std::filesystem::path map_kd;      // beside the MTL file; empty: none
+    std::optional<ModelTexture> map_kd;
     std::vector<std::string> left_out; // a sentence each
     std::vector<MtlFault> faults;
 };

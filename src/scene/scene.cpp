@@ -145,6 +145,15 @@ void Builder::add_part(ObjectSpec const& object, ModelPart const& part, Affine c
         scene.shells.push_back({body, mesh.shells[shell].sign, mesh.shells.size() == 1});
 }
 
+/// The pictures that the experiment itself names.
+void name_textures(Scene& scene) {
+    for (Surface& surface : scene.surfaces)
+        if (auto const* const paint = std::get_if<Paint>(&surface.kind); paint && !paint->texture.empty()) {
+            surface.texture = TextureId{static_cast<std::uint32_t>(scene.textures.size())};
+            scene.textures.push_back({paint->texture, {}, paint->texture});
+        }
+}
+
 } // namespace
 
 Scene build_scene(Experiment const& experiment, ModelCache* cache) {
@@ -153,6 +162,7 @@ Scene build_scene(Experiment const& experiment, ModelCache* cache) {
     Scene& scene = builder.scene;
     scene.media = experiment.media;
     scene.surfaces = experiment.surfaces;
+    name_textures(scene);
     scene.surroundings = experiment.surroundings;
     scene.sources = experiment.sources;
     scene.detectors = experiment.detectors;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/bvh.h"
+#include "image/texture.h"
 #include "scene/experiment.h"
 
 #include <memory>
@@ -38,6 +39,15 @@ struct Face {
     std::optional<SurfaceId> surface; // none: a clean boundary between two media
 };
 
+/// A picture that surfaces take their colour from: not opened before a picture of the scene is made.
+struct TextureSource {
+    std::filesystem::path file{};
+    std::shared_ptr<std::vector<unsigned char> const> bytes{}; // of a picture within a model's file
+    std::string place{}, problem{};                            // where it is named; why there is none, if so
+    Wrap across = Wrap::repeat, up = Wrap::repeat;
+    bool of_model = false; // the experiment's own must be there
+};
+
 struct Scene {
     std::vector<Medium> media;
     std::vector<Surface> surfaces;
@@ -50,6 +60,7 @@ struct Scene {
     std::vector<std::string> models; // files, as the experiment names them
     std::vector<std::string> warnings;
     Method mesh_method = Method::automatic;                         // what the experiment asks for
+    std::vector<TextureSource> textures{};                          // by TextureId
     std::vector<DetectorId> sphere_detectors{};                     // they count what escapes
     std::vector<std::pair<FaceId, DetectorId>> surface_detectors{}; // they count what arrives at a face
     std::unique_ptr<Bvh const> bvh{};

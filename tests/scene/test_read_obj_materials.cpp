@@ -18,6 +18,8 @@ std::string const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
 /// The model of one triangle whose material `m` has these lines.
 Model with_material(std::string const& lines) {
     TemporaryFolder const folder;
+    folder.write("my floor.png", "");
+    folder.write("a.png", "");
     folder.write("a.mtl", "newmtl m\n" + lines + "\nnewmtl unused\nNi abc\nillum 77\n");
     folder.write("a.obj", "mtllib a.mtl\n" + triangle);
     return read_obj(folder.path / "a.obj");
@@ -134,7 +136,7 @@ TEST_CASE("numbers of MTL files that change nothing are warned of") {
 TEST_CASE("what else MTL files say is named") {
     CHECK(warns(with_material("d 0.4\nTr 0.1"), "contradict each other"));
     CHECK(warns(with_material("d 0.9\nNi 1.5"), "more opaque than not"));
-    CHECK(warns(with_material("map_Kd floor.png"), "texture map_Kd is not used"));
+    CHECK(warns(with_material("map_Kd floor.png"), "texture map_Kd shows in pictures alone"));
     CHECK(warns(with_material("norm bumps.png"), "surfaces are as smooth as the mesh"));
     CHECK(warns(with_material("Pr 0.5"), "roughness"));
     CHECK(warns(with_material("cauchy_B 0.0042"), "a.mtl:2: 'cauchy_B' is no key of MTL"));
@@ -153,8 +155,13 @@ TEST_CASE("the picture of a colour is kept by its path, whatever options stand b
         auto const texture = with_material(line).materials.at(0).color_texture;
         REQUIRE(texture);
         CHECK(texture->file.filename() == "my floor.png");
-        CHECK_FALSE(texture->image);
+        CHECK(texture->problem.empty());
     }
+    CHECK(with_material("map_Kd -clamp on a.png").materials.at(0).color_texture->across == Wrap::clamp);
+    CHECK(with_material("map_Kd none.png").materials.at(0).color_texture->problem ==
+          "the picture 'none.png' is not there");
+    CHECK(with_material("map_Kd ../a.png").materials.at(0).color_texture->problem ==
+          "the picture '../a.png' is no path to a file in the model's folder, and is not opened");
     for (char const* line : {"map_Kd", "map_Kd -s", "map_Kd -", "map_Ks a.png", "Kd 1 1 1"})
         CHECK_FALSE(with_material(line).materials.at(0).color_texture);
 }
@@ -165,15 +172,20 @@ TEST_CASE("texture coordinates stay with the corners, and part no vertices") {
         folder.write("a.obj", text);
         return read_obj(folder.path / "a.obj");
     };
-    Model const model = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.5\nvt 1 0\nvt 0 1\nvt 7\n"
-                             "f 1/1 2/2 3/3\nf 1/-1 3/9 4\n");
+    folder.write("a.mtl", "newmtl m\nmap_Kd -s 2 3 -o 0.5 0.25 a.png\nnewmtl plain\nKd 1 0 0\n");
+    std::string const corners = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                "vt 0.25 0.5\nvt 1 0\nvt 0 1\nvt 7\n";
+    Model const model =
+        read(corners + "usemtl m\nf 1/1 2/2 3/3\nf 1/-1 3/9 4\nusemtl plain\nf 1/1 2/2 3/3\n");
     ModelMesh const& mesh = model.meshes.at(0);
     CHECK(mesh.soup.positions.size() == 4);
-    REQUIRE(mesh.texture_coordinates.size() == 2);
-    CHECK(mesh.texture_coordinates[0] ==
-          std::array<dvec2, 3>{dvec2(0.25, 0.5), dvec2(1.0, 0.0), dvec2(0.0, 1.0)});
-    CHECK(mesh.texture_coordinates[1] == std::array<dvec2, 3>{dvec2(7.0, 0.0), dvec2(0.0), dvec2(0.0)});
-    CHECK(read("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1 2 3\n").meshes[0].texture_coordinates.empty());
+    auto const& kept = mesh.soup.texture_coordinates;
+    REQUIRE(kept.size() == 3);
+    CHECK(kept[0] == std::array<vec2, 3>{vec2(1.0, 1.75), vec2(2.5, 0.25), vec2(0.5, 3.25)});
+    CHECK(kept[1] == std::array<vec2, 3>{vec2(14.5, 0.25), vec2(0.5, 0.25), vec2(0.5, 0.25)});
+    CHECK(kept[2] == std::array<vec2, 3>{});
+    CHECK(read(corners + "usemtl plain\nf 1/1 2/2 3/3\n").meshes[0].soup.texture_coordinates.empty());
+    CHECK(read(corners + "usemtl m\nf 1 2 3\n").meshes[0].soup.texture_coordinates.empty());
 }
 
 TEST_CASE("a missing or empty MTL file leaves opaque materials, with a word of the file and of the name") {
