@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -53,6 +54,12 @@ void print_summary(Value const& summary, std::vector<std::filesystem::path> cons
                 number(summary, "rows"), segments, seconds, segments / seconds * 1e-6);
     if (number(summary, "leaks") > 0.0)
         std::printf("  %.0f rays were lost\n", number(summary, "leaks"));
+    auto const& warnings = std::get<Array>(summary.find("warnings")->data);
+    constexpr std::size_t shown = 10;
+    for (std::size_t i = 0; i < std::min(shown, warnings.size()); ++i)
+        std::printf("  warning: %s\n", std::get<std::string>(warnings[i].data).c_str());
+    if (warnings.size() > shown)
+        std::printf("  and %zu warnings more: `sahl check` has them all\n", warnings.size() - shown);
     for (auto const& file : files)
         std::printf("  %s\n", file.c_str());
 }

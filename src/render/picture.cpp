@@ -67,7 +67,7 @@ struct PictureMaker::Tile {
 PictureMaker::PictureMaker(Scene& scene, Picture const& picture, TraceOptions const& trace,
                            LightMap const* caustics)
     : picture_(picture), camera_(*picture.camera), samples_(picture.options, trace.seed),
-      sky_(picture.background), trace_(trace), scene_(scene), caustics_(caustics),
+      sky_(picture.background), textures_(scene), trace_(trace), scene_(scene), caustics_(caustics),
       tiles_across_((picture.camera->columns + tile_side - 1) / tile_side),
       tiles_down_((picture.camera->rows + tile_side - 1) / tile_side) {
     std::uint32_t const asked = picture.options.wavelengths;
@@ -122,8 +122,12 @@ void PictureMaker::render_tile(Film& film, std::uint64_t number, std::uint32_t f
 std::vector<RayView> PictureMaker::look(std::span<Ray const> rays, std::uint64_t first, bool by_lines,
                                         EventCounts& ended) const {
     TraceContext const context{scene_, *optics_, *nothing_, trace_, SumUnit::for_total(1.0)};
-    TreeShader shader({scene_, *optics_, picture_, sky_, dispersive_, caustics_}, one_tree_channels,
-                      by_lines);
+    Camera const& camera = camera_.camera();
+    double const share = 1.0 / (camera.rows * std::sqrt(static_cast<double>(picture_.options.samples)));
+    double const cone = 2.0 * std::tan(0.5 * camera.fov) * share;
+    TreeShader shader(
+        {scene_, *optics_, picture_, sky_, dispersive_, textures_, cone, camera.height * share, caustics_},
+        one_tree_channels, by_lines);
     EventCounts const counts = trace_rays(context, first, rays, shader, start_ ? &*start_ : nullptr);
     for (std::size_t i = 0; i < counts.size(); ++i)
         ended[i] += counts[i];

@@ -38,6 +38,8 @@ class PictureMaker {
 
     bool disperses() const { return spectrum_.has_value(); }
     std::uint32_t wavelengths_a_sample() const { return lines_; }
+    /// Of pictures that a model names and that cannot be read.
+    std::vector<std::string> const& warnings() const { return textures_.warnings(); }
 
   private:
     struct Tile;
@@ -50,6 +52,7 @@ class PictureMaker {
     CameraRays camera_;
     PixelSamples samples_;
     Sky sky_;
+    SurfaceTextures textures_;
     std::optional<Spectrum> spectrum_; // absent: one tree for all colours
     std::uint32_t lines_ = 1;          // trees of a sample that met a medium that disperses
     bool all_by_lines_ = false;        // and of any other

@@ -124,16 +124,31 @@ void TreeShader::light_up(RayView& view, Branch const& branch, Interface const& 
     if (!paint)
         return;
     bool lit = false;
-    view.light += arrives * local_light(*paint, interface, branch.direction, lit);
+    view.light += arrives * local_light(*paint, interface, branch, lit);
     bool const scatters = !branches.outgoing.empty() && branches.outgoing[0].event == Event::scattered;
     if (scatters || (in_.picture.options.shadows == Shadows::ambient_only && !lit))
         branches.outgoing.clear();
 }
 
+/// Over what the sample stands for, if it had gone straight on from the camera: at glass and mirrors that are
+/// curved it is narrower or wider.
+dvec3 TreeShader::texture(Branch const& branch, Interface const& interface) const {
+    if (in_.textures.empty())
+        return dvec3(1.0);
+    double const width = in_.width + in_.cone * (branch.optical_path + interface.t);
+    dvec3 const along = perpendicular_to(branch.direction, cross(branch.direction, interface.facet_normal));
+    dvec3 const across = cross(along, branch.direction);
+    double const slope = -dot(branch.direction, interface.facet_normal);
+    dvec3 const on_surface =
+        across + branch.direction * (dot(across, interface.facet_normal) / std::max(slope, 1e-3));
+    return in_.textures.at(in_.scene, interface, width * along, width * on_surface);
+}
+
 /// Phong's ambient, diffuse and specular terms, over all lamps.
-dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, dvec3 const& direction,
+dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, Branch const& branch,
                               bool& lit) const {
-    dvec3 const colour = pigment(in_.scene, interface, paint);
+    dvec3 const colour = pigment(in_.scene, interface, paint) * texture(branch, interface);
+    dvec3 const& direction = branch.direction;
     dvec3 light = in_.picture.options.ambient * vector(paint.ambient) * colour;
     if (in_.caustics)
         light += in_.caustics->at(interface.point) * vector(paint.diffuse) * colour;

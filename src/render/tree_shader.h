@@ -6,6 +6,7 @@
 #include "render/light_map.h"
 #include "render/sky.h"
 #include "scene/picture.h"
+#include "scene/surface_textures.h"
 #include "trace/straight.h"
 #include "trace/tree_watch.h"
 
@@ -20,7 +21,10 @@ struct PictureScene {
     Picture const& picture;
     Sky const& sky;
     std::vector<bool> const& dispersive; // media
-    LightMap const* caustics = nullptr;  // light that is added to paint
+    SurfaceTextures const& textures;
+    double cone = 0.0;  // rad: what a sample stands for widens by it with the distance from the camera
+    double width = 0.0; // m, of the same where the camera is orthographic
+    LightMap const* caustics = nullptr; // light that is added to paint
 };
 
 /// What one camera ray sees.
@@ -59,8 +63,8 @@ class TreeShader final : public TreeWatch {
                Branches& branches);
     void light_up(RayView& view, Branch const& branch, Interface const& interface, dvec3 const& arrives,
                   Branches& branches);
-    dvec3 local_light(Paint const& paint, Interface const& interface, dvec3 const& direction,
-                      bool& lit) const;
+    dvec3 texture(Branch const& branch, Interface const& interface) const;
+    dvec3 local_light(Paint const& paint, Interface const& interface, Branch const& branch, bool& lit) const;
     dvec3 lamp_light(LampView const& lamp, Interface const& interface) const;
 
     PictureScene in_;

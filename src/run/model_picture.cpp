@@ -65,7 +65,7 @@ double distance_to_see(ModelBox const& box, dvec3 const& from) {
 
 /// Camera, floor, sky and light about a box. Lengths in mm. The floor's squares, the dark of the horizon and
 /// the bright of the sky are what glass bends.
-std::string stage(ModelBox const& box) {
+std::string stage(ModelBox const& box, bool with_camera) {
     dvec3 const centre = 0.5 * (box.low + box.high);
     double const radius = 0.5 * length(box.high - box.low);
     dvec3 const from(sin_of_deg(round_deg) * cos_of_deg(above_deg), sin_of_deg(above_deg),
@@ -79,11 +79,12 @@ std::string stage(ModelBox const& box) {
          << 0.4 * radius << ", other = [0.3, 0.36, 0.46]}}\n\n"
          << "[[object]]\nname = \"the floor\"\nshape = {disk = {radius_mm = " << 14.0 * radius
          << "}}\nsurface = \"floor\"\nturn_deg = [-90, 0, 0]\nmove_mm = " << list({centre.x, floor, centre.z})
-         << "\n\n"
-         << "[camera]\nat_mm = " << list(centre + distance_to_see(box, from) * from)
-         << "\nlook_at_mm = " << list(centre) << "\nup = [0, 1, 0]\nfov_deg = " << fov_deg
-         << "\nresolution = [640, 480]\nsamples = 16\n\n"
-         << "[[light]] # the sun, from the left and from behind the camera\n"
+         << "\n\n";
+    if (with_camera)
+        text << "[camera]\nat_mm = " << list(centre + distance_to_see(box, from) * from)
+             << "\nlook_at_mm = " << list(centre) << "\nup = [0, 1, 0]\nfov_deg = " << fov_deg
+             << "\nresolution = [640, 480]\nsamples = 16\n\n";
+    text << "[[light]] # the sun, from the left and from behind the camera\n"
             "directional = {toward = [0.62, -1, -0.48]}\nintensity = [1.05, 1, 0.92]\nangle_deg = 14\n\n"
          << "[background]\ncolor = [0.42, 0.47, 0.54]\nzenith = [0.9, 0.95, 1.02]\n";
     return text.str();
@@ -114,7 +115,7 @@ ExperimentSource model_picture(fs::path const& file, std::string const& glass, M
             text += "length_unit = \"mm\"\n";
         if (!medium.empty())
             text += "medium = " + quoted(medium) + "\n";
-        return experiment_of(file, text + "\n" + stage(box));
+        return experiment_of(file, text + "\n" + stage(box, model->cameras.empty()));
     };
     ExperimentSource source = with(glass);
     if (!glass.empty())

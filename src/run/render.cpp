@@ -42,6 +42,17 @@ void write_files(RenderOptions const& options, Film const& film, PictureOptions 
     }
 }
 
+/// Camera and lamps where the experiment has none and its models have some.
+void take_from_models(Picture& picture, Scene const& scene, fs::path const& file) {
+    if (!picture.camera && !scene.cameras.empty())
+        picture.camera = scene.cameras.front();
+    if (!picture.camera)
+        throw InputError(file.string(), "there is no camera",
+                         "add [camera] with at_mm and look_at_mm, in mm");
+    if (picture.lights.empty())
+        picture.lights = scene.lights;
+}
+
 std::uint64_t count(EventCounts const& ended, Event event) {
     return ended[static_cast<std::size_t>(event)];
 }
@@ -52,12 +63,10 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
     check_endings(options.files);
     auto const start = Clock::now();
     Experiment experiment = read_experiment(source.tree, source.file);
-    if (!experiment.picture->camera)
-        throw InputError(source.file.string(), "there is no camera",
-                         "add [camera] with at_mm and look_at_mm, in mm");
     auto const caustics = light_layer(experiment, options.models, options.threads, options.progress);
     experiment.detectors.clear(); // they are no things that could be seen
     Scene scene = build_scene(experiment, options.models);
+    take_from_models(*experiment.picture, scene, source.file);
     Picture const& picture = *experiment.picture;
     PictureMaker const maker(scene, picture, experiment.trace, caustics ? &*caustics : nullptr);
     double const preparing = seconds_since(start);
@@ -75,6 +84,8 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
     for (std::uint64_t const events : outcome.ended)
         segments += events;
     std::uint64_t const cut = count(outcome.ended, Event::cut_power) + count(outcome.ended, Event::cut_depth);
+    std::vector<std::string> warnings = scene.warnings;
+    warnings.insert(warnings.end(), maker.warnings().begin(), maker.warnings().end());
     Table const table{{"title", of(experiment.title)},
                       {"program", of(program_name())},
                       {"columns", of(std::uint64_t{outcome.film.columns})},
@@ -89,7 +100,8 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
                       {"seconds", of(outcome.seconds)},
                       {"cpu_seconds", of(outcome.cpu_seconds)},
                       {"seconds_writing", of(seconds_since(writing))},
-                      {"threads", of(std::uint64_t{outcome.threads})}};
+                      {"threads", of(std::uint64_t{outcome.threads})},
+                      {"warnings", of(warnings)}};
     return {of(table), outcome.whole};
 }
 

@@ -4,6 +4,7 @@
 #include "scene/model_body.h"
 #include "scene/model_cache.h"
 #include "scene/model_parts.h"
+#include "scene/model_picture.h"
 #include "scene/read_table.h"
 
 #include "math/input_error.h"
@@ -118,6 +119,10 @@ void Builder::add_model(ObjectSpec const& object, ModelReference const& referenc
                            (instances.size() == 1 ? "" : instance->name) +
                                (of_mesh.size() == 1 ? "" : (instances.size() == 1 ? "" : "_") + part.label)));
     }
+    for (ModelCamera const& camera : model.cameras)
+        scene.cameras.push_back(camera_of(camera, compose(object.to_world, unit)));
+    for (ModelLight const& light : model.lights)
+        scene.lights.push_back(light_of(light, compose(object.to_world, unit)));
     for (ModelMaterial const& material : model.materials)
         for (std::string const& warning : material.warnings)
             materials.warn(warning);

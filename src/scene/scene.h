@@ -5,6 +5,7 @@
 #include "geometry/bvh.h"
 #include "image/texture.h"
 #include "scene/experiment.h"
+#include "scene/picture.h"
 
 #include <memory>
 #include <optional>
@@ -60,6 +61,8 @@ struct Scene {
     std::vector<std::string> models; // files, as the experiment names them
     std::vector<std::string> warnings;
     Method mesh_method = Method::automatic;                         // what the experiment asks for
+    std::vector<Camera> cameras{};                                  // of models, for pictures that name none
+    std::vector<Light> lights{};                                    // the same
     std::vector<TextureSource> textures{};                          // by TextureId
     std::vector<DetectorId> sphere_detectors{};                     // they count what escapes
     std::vector<std::pair<FaceId, DetectorId>> surface_detectors{}; // they count what arrives at a face
