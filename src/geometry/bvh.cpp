@@ -37,24 +37,30 @@ namespace {
 /// Embree).
 constexpr std::size_t few = 6;
 
-/// A line made ready for boxes.
+/// Four numbers in one register.
+using Lanes [[gnu::vector_size(32)]] = double;
+
+/// A line made ready for boxes: all axes at once; the fourth lane is no axis.
 struct Slabs {
-    dvec3 origin, per_metre; // 1/direction
+    Lanes origin, per_metre; // 1/direction
     double margin;           // far above rounding
 
     Slabs(dvec3 const& from, dvec3 const& direction)
-        : origin(from), per_metre(1.0 / direction), margin(1e-12 * length(from)) {}
+        : origin{from.x, from.y, from.z, 0.0}, per_metre{1.0 / direction.x, 1.0 / direction.y,
+                                                         1.0 / direction.z, 1.0},
+          margin(1e-12 * length(from)) {}
 
     /// t where the line enters the box, or `from`, if it starts inside; ∞: it misses it.
     double entry(Bounds const& box, double from, double to) const {
-        double const room = margin + 1e-12 * length(box.high - box.low);
+        dvec3 const size = box.high - box.low;
+        double const room = margin + 1e-12 * (size.x + size.y + size.z);
+        Lanes const low{box.low.x, box.low.y, box.low.z, 0.0}, high{box.high.x, box.high.y, box.high.z, 0.0};
+        Lanes const one = (low - room - origin) * per_metre, other = (high + room - origin) * per_metre;
+        // comparisons with 0/0 are false: it constrains nothing
+        Lanes const near = one < other ? one : other, far = one < other ? other : one;
         for (int axis = 0; axis < 3; ++axis) {
-            double const one = (box.low[axis] - room - origin[axis]) * per_metre[axis];
-            double const other = (box.high[axis] + room - origin[axis]) * per_metre[axis];
-            // comparisons with 0/0 are false: it constrains nothing
-            double const near = one < other ? one : other, far = one < other ? other : one;
-            from = near > from ? near : from;
-            to = far < to ? far : to;
+            from = near[axis] > from ? near[axis] : from;
+            to = far[axis] < to ? far[axis] : to;
         }
         return from <= to ? from : INFINITY;
     }
