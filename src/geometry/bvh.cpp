@@ -236,11 +236,16 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         std::uint32_t asked = 0; // a bit each
         static_assert(few <= 32);
         std::size_t const count = state.bounded.size();
-        if (InlineVector<Candidate, MeshCluster::most> found;
-            state.cluster && state.cluster->next(state.objects, origin, direction, inside, from, found)) {
+        InlineVector<Candidate, MeshCluster::most> found;
+        InlineVector<std::uint32_t, MeshCluster::most> alone;
+        if (state.cluster &&
+            state.cluster->next(state.objects, origin, direction, inside, from, found, alone)) {
             for (Candidate const& each : found)
                 take(each);
             asked = state.in_cluster;
+            for (std::size_t i = 0; !alone.empty() && i < count; ++i)
+                if (std::find(alone.begin(), alone.end(), state.bounded[i]) != alone.end())
+                    asked &= ~(1u << i);
         }
         if (!inside.empty() || count == 1)
             for (std::size_t i = 0; i < count; ++i)
@@ -280,7 +285,7 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         hit.t = contradiction;
         return hit;
     }
-    if (candidates.size() == 1 && contradiction >= candidates.front().t) { // as nearly always
+    if (candidates.size() == 1 && contradiction == INFINITY) { // as nearly always
         Candidate const& only = candidates.front();
         hit.at_one_place.push_back(state.objects[only.object].finished(only, origin, direction, from));
         hit.t = std::max(only.t, from);
@@ -296,7 +301,8 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
         *std::min_element(candidates.begin(), candidates.end(), [&](auto const& a, auto const& b) {
             return std::pair(a.t, rank(a)) < std::pair(b.t, rank(b));
         });
-    if (contradiction < nearest.t) {
+    // at the same place as well: what a torn mesh lies on does not hide that it was entered through a hole
+    if (contradiction < INFINITY && contradiction <= nearest.t + nearest.blur) {
         hit.proof = Proof::leak;
         hit.t = contradiction;
         return hit;

@@ -104,8 +104,27 @@ bool MeshCluster::holds(std::uint32_t object) const {
     return std::any_of(members_.begin(), members_.end(), [&](Member const& m) { return m.object == object; });
 }
 
+bool MeshCluster::may_be_crossed(Placed const& object, dvec3 const& origin, dvec3 const& direction,
+                                 ShellSet const& inside, Reach reach) const {
+    if (reach.to == INFINITY)
+        return false;
+    // in the world first: few rays start in the box of a body that they do not meet
+    double const lift = triangles_.lift();
+    dvec3 const start = origin + reach.from * direction;
+    dvec3 const out = glm::max(object.box.low - start, start - object.box.high);
+    if (std::max({out.x, out.y, out.z}) > lift)
+        return false;
+    MeshTree const& tree = *tree_of(object);
+    for (std::uint32_t shell = 0; shell < tree.mesh().shells.size(); ++shell)
+        if (InsideShells{inside, object.geometry.first_shell}[shell])
+            return true;
+    Placed::LocalRay const ray = object.local(origin, direction);
+    return tree.may_hide(ray.origin, ray.direction, reach, lift * length(object.to_local.linear[0]));
+}
+
 bool MeshCluster::next(std::span<Placed const> objects, dvec3 const& origin, dvec3 const& direction,
-                       ShellSet const& inside, double from, InlineVector<Candidate, most>& found) const {
+                       ShellSet const& inside, double from, InlineVector<Candidate, most>& found,
+                       InlineVector<std::uint32_t, most>& alone) const {
     double const unit = length(direction), blur = triangles_.blur() / unit;
     std::array<Slot, most> asked; // once something is proposed
     double looked_to = INFINITY;
@@ -127,13 +146,15 @@ bool MeshCluster::next(std::span<Placed const> objects, dvec3 const& origin, dve
         return to;
     });
     for (std::size_t m = 0; m < members_.size(); ++m) {
-        if (!asked[m].used)
-            continue;
         MeshAnswer answer;
-        if (!asked[m].query.settle(looked_to, answer)) {
+        if (asked[m].used && !asked[m].query.settle(looked_to, answer)) {
             found.clear();
+            alone.clear();
             return false;
         }
+        if (!answer.crossing &&
+            may_be_crossed(objects[members_[m].object], origin, direction, inside, {from, looked_to}))
+            alone.push_back(members_[m].object);
         if (answer.crossing) {
             found.push_back(objects[members_[m].object].candidate(*answer.crossing, asked[m].ray));
             found.back().object = members_[m].object;

@@ -21,11 +21,12 @@ class MeshCluster {
 
     bool holds(std::uint32_t object) const;
 
-    /// Candidates, the nearest of which is the next crossing of all members; each member's own, if it lies at
-    /// that place. False, with nothing in `found`, where float leaves a doubt: the members are then to be
-    /// asked one by one.
+    /// Candidates, the nearest of which is the next crossing of all members but those in `alone`, which are
+    /// to be asked alone; each member's own, if it lies at that place. False, with nothing in either, where
+    /// float leaves a doubt: then all are.
     bool next(std::span<Placed const> objects, dvec3 const& origin, dvec3 const& direction,
-              ShellSet const& inside, double from, InlineVector<Candidate, most>& found) const;
+              ShellSet const& inside, double from, InlineVector<Candidate, most>& found,
+              InlineVector<std::uint32_t, most>& alone) const;
 
   private:
     struct Member {
@@ -33,6 +34,11 @@ class MeshCluster {
     };
     MeshCluster(std::vector<Member> members, TriangleTree triangles)
         : members_(std::move(members)), triangles_(std::move(triangles)) {}
+
+    /// May a member of which nothing was proposed up to reach.to be crossed there? What a ray leaves or
+    /// enters along a face may go unproposed; see MeshTree::may_hide.
+    bool may_be_crossed(Placed const& object, dvec3 const& origin, dvec3 const& direction,
+                        ShellSet const& inside, Reach reach) const;
 
     std::vector<Member> members_;
     TriangleTree triangles_;

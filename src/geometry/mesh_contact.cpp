@@ -163,7 +163,9 @@ struct Fitter {
             fit.apart = *apart;
             fit.same_corners = true;
             fit.corner_tolerance = fit.tolerance = tolerance.placing + float_ulps * length(grain_at(fit));
-            return fit.apart <= fit.tolerance ? std::optional(fit) : std::nullopt;
+            if (fit.apart <= fit.tolerance)
+                return fit;
+            fit.same_corners = false; // nearly: along their plane they are really apart
         }
         if (std::abs(dot(a.normals[i], b.normals[j])) < 0.5)
             return std::nullopt;

@@ -134,11 +134,20 @@ std::vector<MeshCrossing> MeshTree::all(ShearedLine const& line, double from, do
     return crossings;
 }
 
+bool MeshTree::may_hide(dvec3 const& origin, dvec3 const& direction, Reach reach, double lift) const {
+    auto const in_box = [&](double t) {
+        dvec3 const p = origin + t * direction, out = glm::max(mesh_->low - p, p - mesh_->high);
+        return std::max({out.x, out.y, out.z}) <= lift;
+    };
+    return reach.to < INFINITY && in_box(reach.from) && in_box(reach.to);
+}
+
 MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                           double rounding) const {
     double const unit = length(direction);
     MeshQuery query(*this, origin, direction, unit, inside, reach.from, rounding, triangles_.blur() / unit);
-    double const end = query.in_some() ? INFINITY : reach.to;
+    bool const cut = !query.in_some() && !may_hide(origin, direction, reach, triangles_.lift());
+    double const end = cut ? reach.to : INFINITY;
     double looked_to = INFINITY;
     triangles_.visit(origin, direction, unit, {reach.from, end}, [&](Proposal const& proposal) {
         double const to = query.take(proposal.triangle, proposal.t, proposal.sense);

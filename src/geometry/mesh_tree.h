@@ -73,6 +73,11 @@ class MeshTree {
     /// For each shell: does the ray run inside it just after its start?
     std::vector<bool> inside(dvec3 const& origin, dvec3 const& direction, double rounding) const;
 
+    /// A face that a ray starts nearer to than float tells (`lift`, m), and comes to at a small slope, may go
+    /// unproposed. That shows where the mesh is left again. May it have been entered so, and not be left
+    /// before reach.to?
+    bool may_hide(dvec3 const& origin, dvec3 const& direction, Reach reach, double lift) const;
+
     Mesh const& mesh() const { return *mesh_; }
     /// Anticlockwise seen from outside the volume that the shell encloses.
     std::array<dvec3, 3> corners(std::uint32_t triangle) const {
@@ -106,7 +111,6 @@ class MeshTree {
                                             Reach reach, double rounding) const;
 
     BoxTree const& boxes() const;
-
     std::shared_ptr<Mesh const> mesh_;
     std::vector<std::array<std::uint32_t, 3>>
         outward_; // corners by triangle, anticlockwise seen from outside

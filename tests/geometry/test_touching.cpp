@@ -368,6 +368,22 @@ TEST_CASE("the rounding of float data is no gap, and a micrometre is, a metre fr
             }
 }
 
+TEST_CASE(
+    "faces that are nearly the same lie on each other, though their corners are a little apart along them") {
+    // in float data the corners could be one another's, but for a little more than rounding
+    for (double const longer : {1e-9, 1e-7, 3e-7, 1e-6, 1e-5, 1e-3}) {
+        Bvh const bvh = assembled({{mesh_of(box_soup({0.125, 0.0, 0.0}, {0.375, 0.25, 0.375}))},
+                                   {mesh_of(box_soup({0.125, 0.0, 0.375}, {0.375 + longer, 0.25, 0.5}))}},
+                                  {});
+        CAPTURE(longer);
+        Dice dice(17);
+        for (int k = 0; k < 50; ++k) {
+            dvec3 const from(dice.between(0.13, 0.37), dice.between(0.01, 0.24), -1.0);
+            CHECK(crossed(bvh, from, {0.0, 0.0, 1.0}) == "+0 -0+1 -1");
+        }
+    }
+}
+
 TEST_CASE("a lens that lies on a plate touches it at one point") {
     Dice dice(8);
     Part const plate{Box{{0.1, 0.1, 0.01}}, at(0.0, 0.0, -0.005)}, lens{Lens{0.05, -0.05, 0.004, 0.02}};

@@ -153,6 +153,10 @@ double TriangleTree::blur() const {
     return t_ulps / sure_slope * float_ulp * state_->size;
 }
 
+double TriangleTree::lift() const {
+    return growth_ulps * float_ulp * state_->size;
+}
+
 void TriangleTree::visit_triangles(dvec3 const& origin, dvec3 const& direction, double unit, Reach reach,
                                    Callback callback, void* context) const {
     State const& state = *state_;

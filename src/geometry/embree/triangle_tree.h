@@ -50,6 +50,9 @@ class TriangleTree {
 
     /// m: how far along the line a proposal of sure sense may lie from where its t says.
     double blur() const;
+    /// m: how far from a triangle's plane, on the outer side, a line may start and pass for one that starts
+    /// behind it.
+    double lift() const;
 
   private:
     using Callback = double (*)(void* context, Proposal const& proposal);
