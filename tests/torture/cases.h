@@ -21,5 +21,7 @@ void add_extreme_cases(std::vector<TortureCase>& cases,
                        std::uint64_t variant); // thin, far, of all scales, born there
 void add_mixed_cases(std::vector<TortureCase>& cases,
                      std::uint64_t variant); // meshes and exact shapes in one scene
+void add_combined_cases(std::vector<TortureCase>& cases,
+                        std::uint64_t variant); // all that there is in one scene
 
 } // namespace sahl::bench

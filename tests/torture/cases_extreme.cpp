@@ -171,6 +171,7 @@ std::vector<TortureCase> torture_cases(std::uint64_t variant) {
     add_endless_cases(cases, variant);
     add_extreme_cases(cases, variant);
     add_mixed_cases(cases, variant);
+    add_combined_cases(cases, variant);
     return cases;
 }
 

@@ -2,44 +2,13 @@
 // rays along what they have in common.
 #include "torture/aim.h"
 #include "torture/cases.h"
+#include "torture/parts.h"
 
 #include <numbers>
 
 namespace sahl::bench {
 
 namespace {
-
-Affine moved_by(Affine const& group, dvec3 const& offset) {
-    return compose(group, Affine{dmat3(1.0), offset});
-}
-
-double rounding_of(Affine const& group) {
-    return 1e-14 * (length(group.linear[0]) + length(group.offset));
-}
-
-Affine group_of(std::uint64_t salt, std::uint64_t variant, double far = 1.0) {
-    Dice dice(salt + 31 * variant);
-    return variant || far != 1.0 ? Affine{dice.rotation(), far * dice.direction()} : Affine{};
-}
-
-MeshRef block(dvec3 const& low, dvec3 const& high, bool other = false) {
-    return mesh_of(box_soup(low, high, other));
-}
-
-TorturePart exact_block(dvec3 const& low, dvec3 const& high, std::uint32_t medium, Affine const& group,
-                        int priority = 0) {
-    return {Box{high - low}, medium, moved_by(group, 0.5 * (low + high)), priority};
-}
-
-using RayOf = std::function<TortureRay(Dice&, std::uint64_t)>;
-
-RayOf anywhere(Affine const& group, dvec3 const& middle, dvec3 const& size, double before) {
-    return [=](Dice& d, std::uint64_t) {
-        return through(group,
-                       middle + 0.5 * size * dvec3(d.between(-1, 1), d.between(-1, 1), d.between(-1, 1)),
-                       d.direction(), before);
-    };
-}
 
 /// Rays along the lines and planes through a place that bodies have in common there, a picometre and more
 /// beside them.
@@ -55,15 +24,6 @@ RayOf along_axes(Affine const& group, dvec3 const& at, double size) {
             direction[other] = d.sign() * d.between(0.1, 1.0);
         return through(group, p, normalize(direction), 3.0 * size);
     };
-}
-
-void add(std::vector<TortureCase>& cases, std::string name, std::vector<double> indices,
-         std::vector<TorturePart> parts, Affine const& group, RayOf ray, Rule rule = Rule::either,
-         bool faces = true) {
-    TortureCase made{std::move(name), "mixed", std::move(indices), std::move(parts), std::move(ray), rule};
-    made.contact = rounding_of(group);
-    made.faces = faces;
-    cases.push_back(std::move(made));
 }
 
 /// Glass that stands in water and holds a liquid with a bubble at its wall: exact, mesh, exact.

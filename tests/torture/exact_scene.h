@@ -6,6 +6,7 @@
 #include "geometry/solid.h"
 #include "torture/exact_mesh.h"
 #include "torture/exact_shape.h"
+#include "torture/exact_sheet.h"
 #include "torture/scene.h"
 
 #include <optional>
@@ -26,6 +27,7 @@ struct ExactEvent {
     std::vector<std::pair<std::uint32_t, std::uint32_t>>
         places;                      // part and face (of a mesh: number of the plane)
     Turns turns_before, turns_after; // at the boundary's two sides
+    bool mirror = false;             // an open surface in place of the boundary
     bool total = false;              // internal reflection
 };
 
@@ -62,6 +64,7 @@ class ExactScene {
     };
     struct Part {
         std::optional<ExactShape<T>> shape;
+        std::optional<ExactSheet<T>> sheet;
         std::optional<ExactMesh<T>> mesh;
         WideAffine<T> to_world;
     };
@@ -69,6 +72,7 @@ class ExactScene {
     std::vector<Crossing> ahead(ExactStart<T> const& start) const;
     ExactEvent<T> next_of(std::vector<Crossing> const& crossings, std::size_t& k, Wide3<T> const& direction,
                           Turns const& turns) const;
+    bool never_left(std::vector<Crossing> const& crossings, std::size_t k, Turns const& turns) const;
     bool is_total(ExactEvent<T> const& event, Wide3<T> const& direction) const;
 
     TortureCase const& scene_;
@@ -79,11 +83,14 @@ class ExactScene {
 template <class T>
 ExactScene<T>::ExactScene(TortureCase const& scene) : scene_(scene) {
     for (TorturePart const& part : scene.parts) {
-        Part made{{}, {}, WideAffine<T>(part.place)};
+        Part made{{}, {}, {}, WideAffine<T>(part.place)};
         double extent = 0.0;
         if (auto const* mesh = std::get_if<MeshRef>(&part.geometry)) {
             made.mesh.emplace(**mesh, part.place);
             extent = length(glm::max(glm::abs((*mesh)->low), glm::abs((*mesh)->high)));
+        } else if (part.mirror) {
+            made.sheet.emplace(std::get<Shape>(part.geometry));
+            extent = made.sheet->extent();
         } else {
             made.shape.emplace(std::get<Shape>(part.geometry));
             Solid const solid(std::get<Shape>(part.geometry)); // for its size alone
@@ -108,6 +115,8 @@ std::vector<typename ExactScene<T>::Crossing> ExactScene<T>::ahead(ExactStart<T>
     for (std::uint32_t p = 0; p < parts_.size(); ++p) {
         Part const& part = parts_[p];
         auto const add = [&](T t, std::uint32_t face, int turn, Wide3<T> const& normal) {
+            if (scene_.parts[p].mirror)
+                turn = 0;
             T const slope = absolute_of(dot(normal, start.direction));
             bool const touching =
                 start.part && *start.part != p && absolute_of(t) * slope <= T(scene_.contact);
@@ -119,6 +128,10 @@ std::vector<typename ExactScene<T>::Crossing> ExactScene<T>::ahead(ExactStart<T>
                                   [&](T t, std::uint32_t triangle, int turn, auto const& n) {
                                       add(t, part.mesh->plane_of(triangle), turn, n);
                                   });
+        } else if (part.sheet) {
+            if (auto const t = part.sheet->meet(part.to_world.point_back(origin),
+                                                part.to_world.vector_back(start.direction)))
+                add(*t, 0, 0, part.to_world.normal({0, 0, 1}));
         } else {
             local.clear();
             part.shape->cross_with(part.to_world.point_back(origin),
@@ -135,7 +148,8 @@ template <class T>
 Turns ExactScene<T>::turns_at(ExactStart<T> const& start) const {
     Turns turns(parts_.size(), 0);
     for (Crossing const& c : ahead(start)) // far along the line is outside of all
-        turns[c.part] -= c.turn;
+        if (!scene_.parts[c.part].torn)    // of what has holes that tells nothing: rays start outside of it
+            turns[c.part] -= c.turn;
     return turns;
 }
 
@@ -176,6 +190,18 @@ std::vector<ExactEvent<T>> ExactScene<T>::line(ExactStart<T> const& start, Turns
     return events;
 }
 
+/// Through a hole: a torn body that the line is in and does not leave.
+template <class T>
+bool ExactScene<T>::never_left(std::vector<Crossing> const& crossings, std::size_t k,
+                               Turns const& turns) const {
+    for (std::uint32_t p = 0; p < turns.size(); ++p)
+        if (scene_.parts[p].torn && turns[p] > 0 &&
+            std::none_of(crossings.begin() + static_cast<std::ptrdiff_t>(k), crossings.end(),
+                         [&](Crossing const& c) { return c.part == p; }))
+            return true;
+    return false;
+}
+
 template <class T>
 ExactEvent<T> ExactScene<T>::next_of(std::vector<Crossing> const& crossings, std::size_t& k,
                                      Wide3<T> const& direction, Turns const& turns) const {
@@ -185,6 +211,11 @@ ExactEvent<T> ExactScene<T>::next_of(std::vector<Crossing> const& crossings, std
     event.before = medium_of(turns);
     while (k < crossings.size()) {
         Crossing const& first = crossings[k];
+        if (never_left(crossings, k, event.turns_after)) {
+            event.kind = Kind::unclear;
+            return event;
+        }
+        event.mirror = false;
         event.places.clear();
         event.t = first.t;
         event.slope = first.slope;
@@ -198,16 +229,17 @@ ExactEvent<T> ExactScene<T>::next_of(std::vector<Crossing> const& crossings, std
                 break;
             int const after = event.turns_after[c.part] += c.turn;
             event.places.emplace_back(c.part, c.face);
-            if (after < 0) {
+            event.mirror = event.mirror || scene_.parts[c.part].mirror;
+            if (after < 0 || (scene_.parts[c.part].torn && after > 1)) {
                 event.kind = Kind::unclear;
                 return event;
             }
         }
         event.after = medium_of(event.turns_after);
-        if (event.after == event.before)
+        if (event.after == event.before && !event.mirror)
             continue; // in silence
         event.kind = Kind::boundary;
-        event.total = is_total(event, direction);
+        event.total = !event.mirror && is_total(event, direction);
         return event;
     }
     for (int const left : event.turns_after)
@@ -221,6 +253,11 @@ Wide3<T> ExactScene<T>::onto(std::uint32_t part, std::uint32_t face, Wide3<T> co
     Part const& on = parts_[part];
     if (on.mesh)
         return on.mesh->onto(face, point);
+    if (on.sheet) {
+        Wide3<T> local = on.to_world.point_back(point);
+        local.z = 0;
+        return on.to_world.point(local);
+    }
     return on.to_world.point(on.shape->onto(face, on.to_world.point_back(point)));
 }
 

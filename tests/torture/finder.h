@@ -15,6 +15,7 @@ struct Answer {
     std::uint32_t part = 0, face = 0;    // of a mesh: the triangle
     dvec3 normal{0.0};                   // unit, either way round
     std::uint32_t before = 0, after = 0; // media
+    bool mirror = false;                 // it reflects, whatever the media
 };
 
 /// Follows one ray at a time: begin; next, go_on; next, go_on …

@@ -31,6 +31,8 @@ Turned turn(TortureCase const& torture, Answer const& answer, dvec3 const& direc
     if (torture.rule == Rule::straight)
         return {direction, false, true};
     dvec3 const normal = dot(answer.normal, direction) > 0.0 ? -answer.normal : answer.normal;
+    if (answer.mirror)
+        return {reflect(direction, normal), false, false};
     auto const refracted =
         refract(direction, normal, torture.indices[answer.before], torture.indices[answer.after]);
     if (refracted && through)
@@ -59,7 +61,9 @@ int jogs_for(double ulp) {
 class Judge {
   public:
     Judge(TortureCase const& torture, Finder& method, std::uint64_t seed)
-        : torture_(torture), method_(method), dice_(seed ^ 0xA5A5A5A5u), quick_(torture), slow_(torture) {}
+        : torture_(torture), method_(method), dice_(seed ^ 0xA5A5A5A5u), quick_(torture), slow_(torture),
+          torn_(std::any_of(torture.parts.begin(), torture.parts.end(),
+                            [](TorturePart const& part) { return part.torn; })) {}
 
     void follow(TortureRay const& ray, std::uint64_t number);
     void follow_line(TortureRay const& ray, std::uint64_t number);
@@ -87,6 +91,7 @@ class Judge {
     Dice dice_;
     ExactScene<Long> quick_;
     ExactScene<Quad> slow_;
+    bool torn_;
 };
 
 template <class T>
@@ -95,7 +100,9 @@ bool Judge::agrees(ExactScene<T> const& scene, ExactEvent<T> const& expected, An
     using Expected = typename ExactEvent<T>::Kind;
     if (expected.kind == Expected::nothing)
         return got.kind == Kind::nothing;
-    if (expected.kind == Expected::unclear || got.kind != Kind::boundary)
+    if (expected.kind == Expected::unclear)
+        return torn_ && got.kind == Kind::lost;
+    if (got.kind != Kind::boundary || got.mirror != expected.mirror)
         return false;
     if (got.before != expected.before || got.after != expected.after)
         return false;

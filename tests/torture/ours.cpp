@@ -14,6 +14,8 @@ std::size_t faces_of(TorturePart const& part) {
 
 std::size_t shells_of(TorturePart const& part) {
     auto const* mesh = std::get_if<MeshRef>(&part.geometry);
+    if (part.mirror)
+        return 0;
     return mesh ? (*mesh)->shells.size() : 1;
 }
 
@@ -44,6 +46,7 @@ class Ours : public Finder {
         answer.normal = found_.normal;
         answer.before = medium_of(scene_, body_).value;
         answer.after = found_.medium_after.value;
+        answer.mirror = found_.surface.has_value();
         return answer;
     }
     void go_on(dvec3 const& direction, bool crosses) override {
@@ -199,6 +202,7 @@ Scene sahl_scene(TortureCase const& torture) {
     for (std::size_t m = 0; m < torture.indices.size(); ++m)
         scene.media.push_back({"medium " + std::to_string(m), ConstantIndex{torture.indices[m]}, {}, {}});
     scene.surroundings = {0};
+    scene.surfaces.push_back({"mirror", Shares{1.0, 0.0}});
     std::vector<PlacedGeometry> geometries;
     std::uint32_t shell = 0;
     for (TorturePart const& part : torture.parts) {
@@ -207,6 +211,7 @@ Scene sahl_scene(TortureCase const& torture) {
         auto const* mesh = std::get_if<MeshRef>(&part.geometry);
         Body& body = scene.bodies.emplace_back();
         body.name = name;
+        body.open = part.mirror;
         body.medium = {part.medium};
         body.priority = part.priority;
         body.to_world = part.place;
@@ -220,9 +225,10 @@ Scene sahl_scene(TortureCase const& torture) {
                               {static_cast<std::uint32_t>(scene.faces.size())},
                               {shell},
                               false,
-                              false});
+                              false,
+                              part.mirror});
         for (std::size_t face = 0; face < faces_of(part); ++face)
-            scene.faces.push_back({name, id, {}});
+            scene.faces.push_back({name, id, part.mirror ? std::optional(SurfaceId{0}) : std::nullopt});
         for (std::size_t s = 0; s < shells_of(part); ++s)
             scene.shells.push_back({id, mesh ? (*mesh)->shells[s].sign : 1, shells_of(part) == 1});
         shell += static_cast<std::uint32_t>(shells_of(part));

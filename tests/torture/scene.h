@@ -25,6 +25,8 @@ struct TorturePart {
     std::uint32_t medium = 1;
     Affine place{};
     int priority = 0;
+    bool mirror = false; // an open surface that reflects all: a rectangle, a disk or a mesh; it has no medium
+    bool torn = false;   // a mesh with holes: what is met that does not fit is a leak, as it should be
 };
 
 struct TortureRay {

@@ -65,6 +65,11 @@ TEST_CASE("meshes and exact shapes in one scene are met as they should be", "[to
         check(add_mixed_cases, variant, 1500);
 }
 
+TEST_CASE("what works by itself works together", "[torture]") {
+    for (std::uint64_t variant : {0, 1, 2})
+        check(add_combined_cases, variant, 1500);
+}
+
 TEST_CASE("the judge of the torture suite sees a body that is not merged with what it touches", "[torture]") {
     std::vector<TortureCase> cases;
     add_contact_cases(cases, 0);
