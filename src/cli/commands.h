@@ -15,6 +15,7 @@ void add_chart(CLI::App& app, int& status);
 void add_explain(CLI::App& app, int& status);
 void add_paths(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);
+void add_view(CLI::App& app, int& status);
 void add_glass(CLI::App& app, int& status);
 
 } // namespace sahl

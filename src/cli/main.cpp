@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     sahl::add_explain(app, status);
     sahl::add_paths(app, status);
     sahl::add_export(app, status);
+    sahl::add_view(app, status);
     sahl::add_glass(app, status);
     try {
         app.parse(argc, argv);

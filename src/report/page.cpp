@@ -34,7 +34,11 @@ std::string filled(std::string const& title, std::string_view data) {
 std::string title_of(Value const& summary) {
     Value const* const title = summary.find("title");
     auto const* text = title ? std::get_if<std::string>(&title->data) : nullptr;
-    return text && !text->empty() ? *text : "Untitled run";
+    if (text && !text->empty())
+        return *text;
+    Value const* const file = summary.find("file"); // of a model
+    auto const* name = file ? std::get_if<std::string>(&file->data) : nullptr;
+    return name ? name->substr(name->find_last_of('/') + 1) : "Untitled run";
 }
 
 } // namespace
@@ -42,7 +46,7 @@ std::string title_of(Value const& summary) {
 std::string report_page(PageInput const& input) {
     JsonText json;
     json.open('{').entry("format", std::uint64_t{1});
-    json.entry("kind", input.sweep_keys.empty() ? "run" : "sweep");
+    json.entry("kind", input.is_model ? "model" : input.sweep_keys.empty() ? "run" : "sweep");
     json.entry("title", title_of(input.summary)).entry("summary", input.summary);
     write_names(json, input.names);
     write_rays(json, input.paths, input.names);
@@ -58,23 +62,29 @@ std::string report_page(PageInput const& input) {
             .array("triangles", mark.triangles)
             .close('}');
     json.close(']');
-    if (input.methods)
-        json.entry("methods", *input.methods);
-    json.close('}');
+    json.entry("methods", Value{}).close('}'); // last, where renewed_page looks for them
     return filled(escaped(title_of(input.summary)), json.take());
 }
 
-std::optional<std::string> renewed_page(std::string const& page) {
-    std::size_t const begin = page.find(data_begins);
-    if (begin == std::string::npos)
+std::optional<std::string> renewed_page(std::string const& page, Value const* methods) {
+    auto const between = [&](std::string_view from, std::string_view to) -> std::optional<std::string_view> {
+        std::size_t const begin = page.find(from);
+        std::size_t const end = begin == std::string::npos ? begin : page.find(to, begin);
+        if (end == std::string::npos)
+            return std::nullopt;
+        return std::string_view(page).substr(begin + from.size(), end - begin - from.size());
+    };
+    auto const title = between("<title>", "</title>"), data = between(data_begins, data_ends);
+    if (!title || !data)
         return std::nullopt;
-    std::size_t const end = page.find(data_ends, begin);
-    std::size_t const title = page.find("<title>"), title_end = page.find("</title>");
-    if (end == std::string::npos || title == std::string::npos || title_end == std::string::npos)
-        return std::nullopt;
-    std::size_t const first = begin + data_begins.size();
-    return filled(page.substr(title + 7, title_end - title - 7),
-                  std::string_view(page).substr(first, end - first));
+    constexpr std::string_view last = ",\"methods\":"; // in a text its quotes would be escaped
+    std::size_t const at_methods = data->rfind(last);
+    if (!methods || at_methods == std::string_view::npos)
+        return filled(std::string(*title), *data);
+    JsonText json;
+    json.value(*methods);
+    return filled(std::string(*title),
+                  std::string(data->substr(0, at_methods)) + std::string(last) + json.take() + "}");
 }
 
 PagePaths thinned(PagePaths const& paths, std::size_t most) {

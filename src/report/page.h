@@ -52,15 +52,15 @@ struct PagePaths {
 };
 
 struct PageInput {
-    Value const& summary;   // summary.json as written; of a model the report of its check
-    Scene const& scene;     // of the run, or of the first run of a sweep
-    LogHeader const& names; // what the numbers in the paths stand for
+    Value const& summary; // summary.json as written; of a model the report of its check
+    Scene const& scene;   // of the run, or of the first run of a sweep
+    LogHeader names;      // what the numbers in the paths stand for
     PagePaths paths;
     std::vector<PageDetector> detectors;
     std::vector<std::string> sweep_keys; // none: no sweep
     std::vector<SweepRow> sweep;
-    std::vector<PageMark> marks;  // of a model
-    std::optional<Value> methods; // what each method costs and how far it errs, where it was measured
+    std::vector<PageMark> marks; // of a model
+    bool is_model = false;       // and no run
 };
 
 /// The most segments that a page can turn smoothly.
@@ -70,7 +70,8 @@ inline constexpr std::size_t most_page_segments = 100'000;
 std::string report_page(PageInput const& input);
 
 /// The same data in the page of this program, or nothing where `page` is no such page.
-std::optional<std::string> renewed_page(std::string const& page);
+///   methods   what each method costs and how far it errs (run/method_chart.h), to be shown too; or null
+std::optional<std::string> renewed_page(std::string const& page, Value const* methods = nullptr);
 
 /// Of some rays an even share, whole, so that their segments are at most `most`; of a lone ray with more than
 /// that the first ones.

@@ -120,7 +120,7 @@ Value check_experiment(ExperimentSource const& source, bool fit) {
     return of(std::move(report));
 }
 
-Value check_model(std::filesystem::path const& file, std::optional<double> fit) {
+CheckedModel look_at_model(std::filesystem::path const& file) {
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return std::tolower(c); });
@@ -143,9 +143,14 @@ Value check_model(std::filesystem::path const& file, std::optional<double> fit) 
     report.emplace_back("objects", objects_value(checked));
     report.emplace_back("contacts", contacts_value(scene));
     report.emplace_back("models", std::move(models));
+    return {std::move(scene), of(std::move(report))};
+}
+
+Value check_model(std::filesystem::path const& file, std::optional<double> fit) {
+    CheckedModel checked = look_at_model(file);
     if (fit)
-        report.emplace_back("fit", fit_of_lone_model(scene, *fit));
-    return of(std::move(report));
+        std::get<Table>(checked.report.data).emplace_back("fit", fit_of_lone_model(checked.scene, *fit));
+    return std::move(checked.report);
 }
 
 } // namespace sahl

@@ -18,6 +18,13 @@ Value check_experiment(ExperimentSource const& source, bool fit = false);
 ///         that goes in and out of it
 Value check_model(std::filesystem::path const& file, std::optional<double> fit = std::nullopt);
 
+/// A model as check_model looks at it.
+struct CheckedModel {
+    Scene scene;
+    Value report;
+};
+CheckedModel look_at_model(std::filesystem::path const& file);
+
 /// As text for a person: a verdict, then the parts.
 std::string check_text(Value const& report);
 

@@ -173,7 +173,6 @@ void write_page(fs::path const& folder, OneRun const& run, Value const& summary,
                                                         run.detectors,
                                                         keys,
                                                         rows,
-                                                        {},
                                                         {}}));
 }
 

@@ -160,6 +160,27 @@ RunResult run_sweep(ExperimentSource const& source, Experiment const& experiment
     return result;
 }
 
+void write_sweep_page(ExperimentSource const& source, fs::path const& folder, Value const& summary) {
+    Experiment const experiment = read_experiment(source.tree, source.file);
+    std::vector<SweepRow> rows;
+    for (std::size_t i = 0; i < experiment.sweep.runs(); ++i) {
+        fs::path const place = folder / "runs" / run_name(i);
+        auto run = kept_summary(place);
+        if (!run)
+            throw InputError(place.string(), "has no summary.json", "make the sweep again");
+        rows.push_back({experiment.sweep.point(i), std::move(*run)});
+    }
+    if (rows.empty())
+        throw InputError(source.file.string(), "has no sweep, though the run has one", "give its experiment");
+    Step const step = step_of(source, experiment.sweep, 0);
+    OneRun const first = drawn_again(step.source, read_experiment(step.source.tree, step.source.file),
+                                     rows.front().summary, folder / "runs" / run_name(0), nullptr);
+    std::vector<std::string> keys;
+    for (SweepAxis const& axis : experiment.sweep.axes)
+        keys.push_back(axis.key);
+    write_page(folder, first, summary, keys, rows);
+}
+
 namespace {
 
 void add_file(fs::path const& file, Table& files) {

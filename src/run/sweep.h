@@ -11,6 +11,11 @@ namespace sahl {
 RunResult run_sweep(ExperimentSource const& source, Experiment const& experiment, RunOptions const& options,
                     std::filesystem::path const& folder);
 
+/// The page of a sweep that is complete in `folder`, written anew.
+///   summary   the folder's summary.json
+void write_sweep_page(ExperimentSource const& source, std::filesystem::path const& folder,
+                      Value const& summary);
+
 /// Equal for two starts that make the same runs: program, experiment, settings, and the bytes of every file
 /// that the experiment names. Of what a model names in its turn, buffers and materials beside it, size and
 /// time of writing.

@@ -28,7 +28,7 @@ std::string page_of(Value const& summary, sample::Run const& run, std::vector<st
     screen.columns = screen.rows = 2;
     screen.irradiance = {0.0F, 1.0F, 2.0F, 0.5F};
     LogHeader const names = names_of(run);
-    PageInput input{summary, run.scene, names, {}, {}, {}, {}, {}, {}};
+    PageInput input{summary, run.scene, names, {}, {}, {}, {}, {}};
     input.paths = {run.paths, 36};
     input.detectors.push_back(std::move(screen));
     input.sweep_keys = std::move(keys);

@@ -1,7 +1,9 @@
 // Pages of the demo and of experiments load without a fault, say what their runs say, and ask for nothing.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { closedWithoutFault, launch, opened, summaryOf, traced, tracedText } from './browser.mjs';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { closedWithoutFault, launch, opened, sahl, scratch, summaryOf, traced, tracedText } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -102,4 +104,41 @@ pixels = [16, 16]
 test('a page without light, bodies or detectors opens', async () => {
     const folder = tracedText('dark', '[[source]]\nname = "beam"\nbeam = {from_mm = [0, 0, 0], toward = [0, 0, 1], radius_mm = 1, rays = 1}\n');
     await closedWithoutFault(await opened(browser, folder));
+});
+
+test('the page of a model draws what is wrong with it in place', async () => {
+    const file = join(scratch, 'torn.obj');
+    writeFileSync(file, 'v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 5 5 10\nf 1 3 2\nf 1 4 3\nf 1 2 5\nf 2 5 3\nf 3 4 5\n'); // one is turned, one is missing
+    const folder = join(scratch, 'torn-view');
+    assert.equal(sahl('view', file, '--out', folder).trim(), join(folder, 'report.html'));
+    const page = await opened(browser, folder);
+    assert.equal(await page.locator('h1').textContent(), 'torn.obj');
+    assert.deepEqual((await page.locator('.marks li').allTextContents()).map(text => text.replace(/.*: /, '')), ['3', '1']);
+    assert.deepEqual(await page.evaluate(() => window.sahl.data.marks.map(m => [m.kind, m.lines.length, m.triangles.length])), [['holes', 18, 0], ['turned', 0, 9]]);
+    assert.match(await page.locator('.box.bad').textContent(), /not closed/);
+    assert.ok((await coloured(page)) > 600);
+    await closedWithoutFault(page);
+});
+
+test('a page that is written anew is the same, and shows the chart of methods where one was measured', async () => {
+    const folder = tracedText('again', `title = "again"
+[[object]]
+name = "ball"
+shape = {sphere = {radius_mm = 5}}
+medium = "N-BK7"
+[[source]]
+name = "beam"
+beam = {from_mm = [0, 0, -10], toward = [0, 0, 1], radius_mm = 2, rays = 20}
+`);
+    const file = join(folder, 'report.html'), before = readFileSync(file, 'utf8');
+    sahl('view', folder);
+    assert.equal(readFileSync(file, 'utf8'), before);
+    sahl('view', folder, '--experiment', join(scratch, 'again.toml'));
+    assert.equal(readFileSync(file, 'utf8'), before);
+    const method = (name, ns, rms, front) => ({ method: name, ns_per_segment: ns, rms_rad: rms, front });
+    writeFileSync(join(folder, 'chart.json'), JSON.stringify({ held_against: 'the exact shapes', methods: [method('facet', 150, 1e-2, true), method('fitted', 400, 1e-8, true), method('quadratic', 500, 1e-6, false)] }));
+    sahl('view', folder);
+    const page = await opened(browser, folder, { theme: 'dark' });
+    assert.equal(await page.getByText('Errors are held against the exact shapes').count(), 1);
+    await closedWithoutFault(page);
 });

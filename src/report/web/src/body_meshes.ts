@@ -3,6 +3,9 @@ import {
     BackSide, BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, FrontSide, LineBasicMaterial, LineSegments, Matrix4, Mesh,
     MeshBasicMaterial, NearestFilter, NormalBlending, PlaneGeometry, ShaderMaterial, type Material,
 } from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { isDark, themed } from './colours';
 import type { BodyData, DetectorData, PageData } from './data';
 import type { Extent } from './extent';
@@ -191,9 +194,9 @@ export class BodyMeshes {
                 this.place(new Mesh(placed(mark.triangles), fill), new Matrix4(), 3);
             }
             const outline = mark.lines.length > 0 ? mark.lines : outlineOf(mark.triangles);
-            const line = new LineBasicMaterial({ depthTest: false });
+            const line = new LineMaterial({ linewidth: mark.lines.length > 0 ? 3 : 1.5, transparent: true, depthTest: false });
             this.marks.push({ material: line, name });
-            this.place(new LineSegments(placed(outline), line), new Matrix4(), 4);
+            this.stage.over.add(new LineSegments2(new LineSegmentsGeometry().setPositions(outline.map((x, i) => x - o[i % 3]!)), line));
         }
     }
 }

@@ -108,7 +108,7 @@ export interface PageData {
     detectors: DetectorData[];
     sweep?: SweepData;
     marks: Mark[];
-    methods?: JsonTable;
+    methods: Json;
 }
 
 const kinds = {

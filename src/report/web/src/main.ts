@@ -123,7 +123,7 @@ function start(): void {
         stageHost.append(h('p', { class: 'no-webgl' }, `The scene cannot be drawn here: this browser has no WebGL (${error instanceof Error ? error.message : String(error)}). All figures are below.`));
         return;
     }
-    stageHost.append(h('div', { class: 'hint' }, 'drag to turn · wheel to zoom · click a ray · ? for keys'));
+    stageHost.append(h('div', { class: 'hint' }, `drag to turn · wheel to zoom${data.kind === 'model' ? '' : ' · click a ray'} · ? for keys`));
     scene.append(data.kind === 'model' ? h('aside', { class: 'side' }, marksLegend(data)) : controls(viewer));
     const switchTheme = () => {
         viewer.view.theme = isDark() ? 'light' : 'dark';
