@@ -23,26 +23,39 @@ class LogBlock final : public SegmentSink {
     WavelengthInNm nm_;
 };
 
-/// A chunk of every column.
+/// Rows [first, first + count) of a piece that several chunks may share.
+struct LogSlice {
+    std::shared_ptr<LogRows const> rows;
+    std::size_t first = 0, count = 0;
+    std::span<std::byte const> column(std::size_t number) const { return rows->column(number, first, count); }
+};
+
+/// A chunk of every column, as slices of what was packed: its rows are not copied together.
 struct LogChunk {
-    LogRows rows;
+    std::vector<LogSlice> slices;
     std::vector<std::vector<std::byte>> compressed; // by column; none: as they are
+    std::size_t rows() const;                       // up to chunk_rows
 };
 
 /// Fills chunk after chunk with the rows of blocks.
 class LogChunker {
   public:
-    explicit LogChunker(std::shared_ptr<LogMemory> memory) : memory_(std::move(memory)), filling_(memory_) {}
+    explicit LogChunker(std::shared_ptr<LogMemory> memory) : memory_(std::move(memory)) {}
     /// The next so many rows are passed over: they stand in the log already.
     void pass_over(std::uint64_t rows) { passed_over_ = rows; }
     /// The chunks that become full.
     std::vector<LogChunk> add(LogBlock block);
-    /// What has been left over so far, if anything, the rows that are missing in it zero.
+    /// What has been left over so far, if anything.
     std::vector<LogChunk> rest();
 
   private:
+    void fill(LogSlice slice, std::vector<LogChunk>& full);
+    void gather(LogRows const& piece, std::size_t first, std::vector<LogChunk>& full);
+
     std::shared_ptr<LogMemory> memory_;
-    LogRows filling_;
+    LogChunk filling_;
+    std::size_t filled_ = 0;            // rows of it
+    std::shared_ptr<LogRows> gathered_; // of small pieces, the last of those begun
     std::uint64_t passed_over_ = 0;
 };
 

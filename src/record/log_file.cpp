@@ -15,6 +15,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "chunks are written as they lie in memory");
 
 constexpr unsigned deflate_level = 1; // what the file says of its chunks; readers need not know it
+// Chunks begin where a page of memory does: the system then takes a chunk in a few large pieces.
+constexpr hsize_t page = 4096;
 
 /// Objects of HDF5 1.10, whose structures have checksums: a flipped bit in one is an error when it is read.
 Handle create_file(Must const& must, std::filesystem::path const& path) {
@@ -22,6 +24,7 @@ Handle create_file(Must const& must, std::filesystem::path const& path) {
     Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
     H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
+    H5Pset_alignment(access, chunk_rows, page); // chunk_rows: bytes of the smallest chunk
     return {must(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access), "create it"),
             H5Fclose};
 }
@@ -55,7 +58,7 @@ std::vector<Handle> create_columns(Must const& must, hid_t file, hid_t space, bo
 
 LogFile::LogFile(Must const& must, std::filesystem::path path, LogHeader const& header,
                  RayLogOptions const& options, std::uint64_t first_row)
-    : must_(must), path_(std::move(path)), file_(create_file(must, path_)) {
+    : must_(must), path_(std::move(path)), file_(create_file(must, path_)), places_(path_) {
     unfinished_ = true;
     write_header(must, file_, header);
     write_attribute(must, file_, "first_row", H5T_STD_U64LE, &first_row);
@@ -67,6 +70,9 @@ LogFile::LogFile(Must const& must, std::filesystem::path path, LogHeader const& 
         if (options.compress) {
             must(H5Pset_shuffle(layout), "describe the columns");
             must(H5Pset_deflate(layout, deflate_level), "describe the columns");
+        } else { // a chunk has its place before it is written, and nothing else is written there
+            must(H5Pset_alloc_time(layout, H5D_ALLOC_TIME_EARLY), "describe the columns");
+            must(H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER), "describe the columns");
         }
         return layout;
     });
@@ -85,15 +91,46 @@ LogFile::~LogFile() {
 
 void LogFile::write(LogChunk const& chunk) {
     if (rows_ == 0)
-        std::memcpy(&first_ray_, chunk.rows.column(0).data(), sizeof first_ray_);
-    hsize_t const first = rows_, rows = rows_ + chunk.rows.size();
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        std::span<std::byte const> const bytes =
-            chunk.compressed.empty() ? chunk.rows.column(i) : std::span(chunk.compressed[i]);
-        must_(H5Dset_extent(columns_[i], &rows), "write rows");
+        std::memcpy(&first_ray_, chunk.slices.front().column(0).data(), sizeof first_ray_);
+    hsize_t const first = rows_, rows = rows_ + chunk.rows();
+    for (Handle const& column : columns_)
+        must_(H5Dset_extent(column, &rows), "write rows");
+    if (chunk.compressed.empty())
+        write_raw(chunk);
+    for (std::size_t i = 0; i < chunk.compressed.size(); ++i) {
+        std::vector<std::byte> const& bytes = chunk.compressed[i];
         must_(H5Dwrite_chunk(columns_[i], H5P_DEFAULT, 0, &first, bytes.size(), bytes.data()), "write rows");
     }
     rows_ = rows;
+    places_.begin_to_sync();
+}
+
+/// Columns whose places lie one behind another are written at once. Rows that are missing in the last chunk
+/// are zero: nothing has ever been written there.
+void LogFile::write_raw(LogChunk const& chunk) {
+    std::vector<std::span<std::byte const>> parts;
+    std::uint64_t begin = 0, end = 0;
+    auto const put = [&] {
+        if (std::error_code const problem = places_.write(begin, parts))
+            must_.fail("cannot write rows (" + problem.message() + ")");
+        parts.clear();
+    };
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        hsize_t const first = rows_;
+        unsigned filters = 0;
+        haddr_t place = 0;
+        hsize_t bytes = 0;
+        must_(H5Dget_chunk_info_by_coord(columns_[i], &first, &filters, &place, &bytes), "write rows");
+        if (place != end) {
+            put();
+            begin = end = place;
+        }
+        for (LogSlice const& slice : chunk.slices) {
+            parts.push_back(slice.column(i));
+            end += parts.back().size();
+        }
+    }
+    put();
 }
 
 void LogFile::close() {

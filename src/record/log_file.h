@@ -1,7 +1,9 @@
-// In: chunks of rows. Out: one HDF5 file of them. Chunks are handed to the library ready made
-// (H5Dwrite_chunk): nothing stands between them and the disk. The layout is described in docs/ray-log.md.
+// In: chunks of rows. Out: one HDF5 file of them. The library says where a chunk's place is, and it is
+// written there from where its rows lie; compressed ones are handed to the library ready made
+// (H5Dwrite_chunk). The layout is described in docs/ray-log.md.
 #pragma once
 
+#include "record/disk.h"
 #include "record/hdf5_file.h"
 #include "record/ray_log.h"
 
@@ -25,11 +27,14 @@ class LogFile {
     std::uint64_t first_ray() const { return first_ray_; } // of its first row
 
   private:
+    void write_raw(LogChunk const& chunk);
+
     hdf5::Must const& must_;
     std::filesystem::path path_;
     bool unfinished_ = false; // the file is there, and is not closed
     hdf5::Handle file_;
     std::vector<hdf5::Handle> columns_;
+    PlacesInFile places_;
     std::uint64_t rows_ = 0, first_ray_ = 0;
 };
 

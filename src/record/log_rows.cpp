@@ -96,13 +96,8 @@ void LogRows::append(LogRows const& others, std::size_t first, std::size_t count
     size_ += count;
 }
 
-std::span<std::byte const> LogRows::column(std::size_t number) const {
-    return {at(number, 0), chunk_rows * layout(digits_lost_).widths[number]};
-}
-
-void LogRows::zero_the_rest() {
-    for (std::size_t column = 0; column < layout(digits_lost_).widths.size(); ++column)
-        std::memset(at(column, size_), 0, room() * layout(digits_lost_).widths[column]);
+std::span<std::byte const> LogRows::column(std::size_t number, std::size_t first, std::size_t count) const {
+    return {at(number, first), count * layout(digits_lost_).widths[number]};
 }
 
 } // namespace sahl

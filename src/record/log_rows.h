@@ -45,9 +45,8 @@ class LogRows {
     void append(std::span<Segment const> segments, WavelengthInNm& nm);
     /// The same with rows [first, first + count) of others.
     void append(LogRows const& others, std::size_t first, std::size_t count);
-    /// A column's values, chunk_rows of them; those behind size() are zero after zero_the_rest.
-    std::span<std::byte const> column(std::size_t number) const;
-    void zero_the_rest();
+    /// A column's values of the rows [first, first + count).
+    std::span<std::byte const> column(std::size_t number, std::size_t first, std::size_t count) const;
     bool digits_lost() const { return digits_lost_; } // has that column
 
   private:
