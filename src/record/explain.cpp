@@ -75,6 +75,14 @@ std::string_view verb_of(Event ended, bool splits) {
     }
 }
 
+/// The index that a row ends in, and that of the medium behind, as far as the log tells them.
+std::string both_indices(RayTree const& tree, std::size_t row, std::size_t behind) {
+    Segment const& in = tree.rows[row];
+    auto const n_before = index_of(tree.header, in.medium, in.wavelength);
+    auto const n_after = index_of(tree.header, behind, in.wavelength);
+    return n_before && n_after ? ", n " + number(*n_before) + " → " + number(*n_after) : "";
+}
+
 /// Angles of incidence and refraction, and both indices, as far as the log tells them.
 std::string angles(RayTree const& tree, std::size_t row) {
     Segment const& in = tree.rows[row];
@@ -88,15 +96,12 @@ std::string angles(RayTree const& tree, std::size_t row) {
             return "total internal reflection: incidence " + angle(incidence);
         return "total internal reflection: incidence " + angle(incidence) + " exceeds the critical angle " +
                angle(behind->critical_angle) + " against " + medium_name(tree.header, behind->medium) +
-               (behind->seen ? "" : ", where it came in from");
+               both_indices(tree, row, behind->medium) + (behind->seen ? "" : ", where it came in from");
     }
     std::string text = "incidence " + angle(incidence);
     if (auto const* bent = child_born(tree, row, {Event::refracted})) {
         text += ", refraction " + angle(angle_to(bent->direction, *normal));
-        auto const n_before = index_of(tree.header, in.medium, in.wavelength);
-        auto const n_after = index_of(tree.header, bent->medium, in.wavelength);
-        if (n_before && n_after)
-            text += ", n " + number(*n_before) + " → " + number(*n_after);
+        text += both_indices(tree, row, bent->medium);
     }
     return text;
 }

@@ -75,7 +75,8 @@ TEST_CASE("the explanation of a ray gives angles, shares and the reason of every
     CHECK(has(text, "├─ #1 refracted in glass (n 1.5168), 10 mm"));
     CHECK(has(text, "│  │  power 0.95 W (95 %) → 0.836 W (83.6 %), absorbed 12 % on the way\n"));
     CHECK(has(text,
-              "total internal reflection: incidence 70.75° exceeds the critical angle 41.25° against air"));
+              "total internal reflection: incidence 70.75° exceeds the critical angle 41.25° against air, "
+              "n 1.5168 → 1"));
     CHECK(has(text, "│  #3 total_internal in glass"));
     CHECK(has(text, "refraction 30.00°, n 1.5168 → 1; T 95.69 %, R 4.306 %\n"));
     CHECK(has(text, "│  ├─ #4 refracted in air"));
