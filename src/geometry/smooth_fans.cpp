@@ -55,10 +55,19 @@ void split_by_normals(HealthView const& view, std::vector<std::uint32_t>& across
     }
 }
 
+/// Are they the triangles' own? Of a fine mesh every normal is near those, and it tells that they are nearer
+/// than the triangle across is.
 bool normals_are_flat(HealthView const& view) {
     std::size_t flat = 0;
-    for (std::uint32_t corner = 0; corner < 3 * view.real(); ++corner)
-        flat += angle(file_normal(view, corner), view.normals[corner / 3]) < 1e-3;
+    for (std::uint32_t corner = 0; corner < 3 * view.real(); ++corner) {
+        dvec3 const& own = view.normals[corner / 3];
+        double const off = angle(file_normal(view, corner), own);
+        std::uint32_t const other = view.sides.across[corner];
+        double const turns = other < Sides::crowded && other / 3 < view.real()
+                                 ? angle(own, view.normals[other / 3])
+                                 : INFINITY;
+        flat += off < 1e-3 && (off < 0.1 * turns || off < 1e-6);
+    }
     return 10 * flat >= 9 * 3 * view.real();
 }
 

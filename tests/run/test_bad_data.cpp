@@ -2,6 +2,7 @@
 // light lost or a direction no number, and where a curved surface would do worse than the triangles, `auto`
 // does not take it.
 #include "geometry/smooth_fans.h"
+#include "geometry/tessellate.h"
 #include "run/holes.h"
 #include "run/method_choice.h"
 #include "run/normal_warnings.h"
@@ -258,4 +259,19 @@ TEST_CASE("of a mesh so fine that floats blur its places, the normals are believ
     INFO(fine.normals_off << " rad off, places tell " << fine.positions_blur);
     CHECK(fine.normals == NormalUse::files);
     CHECK(smooth_fans(with_coarse_normals(110, 127.0)).normals == NormalUse::first_order);
+}
+
+TEST_CASE("normals of a mesh so fine that each is nearly its triangle's own are not taken for those",
+          "[curved]") {
+    TriangleSoup flat = unshared(tessellate(Lens{0.05, -0.05, 0.01, 0.006}, 600).soup); // edges of 30 µm
+    auto const smooth = [](TriangleSoup soup) {
+        return smooth_fans(std::make_shared<Mesh const>(make_mesh(std::move(soup)))).normals;
+    };
+    CHECK(smooth(flat) == NormalUse::files);
+    for (std::size_t t = 0; t < flat.triangles.size(); ++t) {
+        dvec3 const *const p = &flat.positions[3 * t], own = normalize(cross(p[1] - p[0], p[2] - p[0]));
+        for (std::size_t k = 0; k < 3; ++k)
+            flat.normals[3 * t + k] = own;
+    }
+    CHECK(smooth(flat) == NormalUse::flat);
 }
