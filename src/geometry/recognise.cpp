@@ -112,7 +112,8 @@ std::optional<RecognisedSolid> recognise(SmoothFans const& fans, VertexShare sha
     if (!mesh.closed() || mesh.shells.size() != 1 || mesh.shells.front().sign < 0 || fans.groups == 0 ||
         fans.groups > most_regions)
         return std::nullopt;
-    PieceJudge judge{residual_ulps * fans.reach, fans.normals == NormalUse::files, fans.reach};
+    PieceJudge judge{residual_ulps * fans.reach, fans.normals == NormalUse::files, fans.reach,
+                     fans.float_positions};
     std::vector<Region> regions, behind;
     std::vector<std::uint32_t> faces;
     std::vector<std::shared_ptr<Quadric const>> quadrics;

@@ -52,24 +52,26 @@ std::optional<FoundPiece> as_sphere(Piece const& piece, PieceJudge& judge) {
     if (!(radius > 0.0) || !std::isfinite(radius) || radius > 1e4)
         return std::nullopt;
     bool const normals = judge.normals;
-    double const reach = judge.reach;
     double const outwards =
         dot(piece.normals.front(), (piece.places.front() - piece.centre) / size - c) < 0.0 ? -1.0 : 1.0;
     for (int pass = 0; pass < 4; ++pass) { // Gauss and Newton on distances
         Equations<4> step;
         for (dvec3 const& p : piece.places) {
             dvec3 const from = (p - piece.centre) / size - c;
-            double const r = length(from);
-            step.add({-from.x / r, -from.y / r, -from.z / r, -1.0}, radius - r);
+            double const r = length(from), w = 1.0 / length(from / r * judge.steps(p));
+            step.add({-w * from.x / r, -w * from.y / r, -w * from.z / r, -w}, w * (radius - r));
         }
-        // place − centre = radius · normal; a float normal's ulp moves a place by the radius times as much
-        double const weight = reach / (radius * size);
+        // place − centre = radius · normal, each coordinate by the ulps of both
         for (std::size_t i = 0; normals && i < piece.places.size(); ++i) {
-            dvec3 const n = outwards * piece.normals[i];
-            dvec3 const off = weight * ((piece.places[i] - piece.centre) / size - c - radius * n);
-            step.add({weight, 0.0, 0.0, weight * n.x}, off.x);
-            step.add({0.0, weight, 0.0, weight * n.y}, off.y);
-            step.add({0.0, 0.0, weight, weight * n.z}, off.z);
+            dvec3 const n = outwards * piece.normals[i], steps = judge.steps(piece.places[i]);
+            dvec3 const off = (piece.places[i] - piece.centre) / size - c - radius * n;
+            for (int k = 0; k < 3; ++k) {
+                double const w =
+                    1.0 / std::hypot(steps[k], radius * size / judge.reach * ulp_share(n[k], 1.0));
+                Unknowns<4> row{0.0, 0.0, 0.0, w * n[k]};
+                row[static_cast<std::size_t>(k)] = w;
+                step.add(row, w * off[k]);
+            }
         }
         auto const by = step.solved();
         if (!by)

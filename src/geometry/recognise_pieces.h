@@ -27,12 +27,26 @@ struct FoundPiece {
     std::optional<Region> behind; // of a hollow sphere: the side of its centre that the body is on
 };
 
+/// The float's ulp at x over that at `reach`, but no less than an eighth: what is small may have been
+/// computed by what is large.
+inline double ulp_share(double x, double reach) {
+    return std::clamp(std::exp2(std::floor(std::log2(std::abs(x))) - std::floor(std::log2(reach))), 0.125,
+                      1.0);
+}
+
 /// Holds a piece to be what is fitted to it, or not, and remembers by how much it was off.
 struct PieceJudge {
     double tolerance; // m
     bool normals;     // do they count
     double reach;     // m, the largest coordinate
+    bool floats;      // are the places floats
     double residual = 0.0, normals_off = 0.0;
+
+    /// How far each coordinate of a place may be rounded, as a share of the ulp at the reach.
+    dvec3 steps(dvec3 const& p) const {
+        return floats ? dvec3(ulp_share(p.x, reach), ulp_share(p.y, reach), ulp_share(p.z, reach))
+                      : dvec3(1.0);
+    }
 };
 
 inline constexpr double normals_agree = 1e-6; // rad: float normals are off by a tenth of it

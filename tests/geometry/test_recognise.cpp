@@ -90,7 +90,7 @@ TEST_CASE("lenses, rods, cones and conics of revolution are recognised, in any p
 
 TEST_CASE("what is no conic of revolution is not recognised", "[curved]") {
     Lens asphere{0.02, 0.0, 0.008, 0.02};
-    asphere.aspheric1 = {2.0}; // m⁻³: 20 nm at the rim
+    asphere.aspheric1 = {200.0}; // m⁻³: 2 µm at the rim, of which a conic can follow all but some 50 nm
     CHECK(!recognise(smooth_fans(as_mesh(asphere, 72, slanted()))));
     TriangleSoup ellipsoid = geodesic_soup(1.0, 12);
     for (dvec3& p : ellipsoid.positions)
