@@ -4,12 +4,18 @@
 #include "run/run.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace sahl {
 
 /// Its bodies as .glb (see run/model_of_scene.h).
 ///   turn   pieces of a full turn, [coarsest_turn, finest_turn] (geometry/tessellate.h)
-/// Throws InputError, and then nothing is written.
-void export_model(ExperimentSource const& source, unsigned turn, std::filesystem::path const& to);
+///   decimate   m in the world: meshes have fewer triangles, no vertex farther off them than this
+///   (geometry/mesh_decimate.h); 0: all
+/// Returns what was done to each mesh that was to be decimated. Throws InputError, and then nothing is
+/// written.
+std::vector<std::string> export_model(ExperimentSource const& source, unsigned turn,
+                                      std::filesystem::path const& to, double decimate = 0.0);
 
 } // namespace sahl

@@ -4,9 +4,11 @@
 #include "geometry/data_steps.h"
 #include "math/random.h"
 #include "run/check.h"
+#include "run/export_model.h"
 #include "run/path_errors.h"
 #include "support/catch.h"
 #include "support/curved.h"
+#include "support/gltf.h"
 #include "support/lab.h"
 
 #include <cmath>
@@ -152,4 +154,31 @@ TEST_CASE("a model alone is checked for its fineness by light that goes through 
     CHECK(std::get<std::string>(models.front().second.find("fastest_within")->data) == "recognised");
     CHECK(check_text(report).find("the fastest within 0.0001 rad: recognised") != std::string::npos);
     CHECK(!check_model(model).find("fit"));
+}
+
+TEST_CASE("an export in fewer triangles says how many, and stands for the same ball", "[curved]") {
+    TemporaryFolder const folder("decimate");
+    auto const ball = [&](std::string const& model) {
+        return load_experiment(folder.write(
+            "ball.toml",
+            "title = \"a ball\"\n[trace]\nmin_power = 0.5\n[medium]\nglass = {n = 1.5}\n[[object]]\nname = "
+            "\"ball\"\nmedium = \"glass\"\n" +
+                model +
+                "\n[[source]]\nname = \"beam\"\nbeam = {from_mm = [0, 0, -20], toward = [0, 0, 1], "
+                "radius_mm = 4, pattern = \"hexagonal\", rays = 300}\n"));
+    };
+    std::string const fine = "model = \"" + std::string(SAHL_SOURCE_DIR) + "/models/ball-20480.glb\"";
+    auto const lines = export_model(ball(fine), 120, folder.path() / "fewer.glb", 2e-5);
+    REQUIRE(lines.size() == 1);
+    CHECK(lines.front().find("of 20480 triangles") != std::string::npos);
+    Value const summary = run_experiment(ball("model = \"fewer.glb\""), {}).summary;
+    Value const& triangles = *summary.find("models")->find("ball")->find("triangles");
+    CHECK(std::get<std::int64_t>(triangles.data) < 5000);
+    CHECK(lines.front().starts_with("ball: " + std::to_string(std::get<std::int64_t>(triangles.data)) +
+                                    " of "));
+    // what stays is as it was: still the ball's places and normals
+    CHECK(std::get<std::string>(summary.find("objects")->find("ball")->find("method")->data) == "recognised");
+    auto const larger = export_model(ball(fine + "\nscale = 2"), 120, folder.path() / "larger.glb", 4e-5);
+    CHECK(larger.front().substr(0, larger.front().find(';')) ==
+          lines.front().substr(0, lines.front().find(';'))); // the tolerance is one of the world
 }
