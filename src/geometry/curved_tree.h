@@ -4,25 +4,21 @@
 #pragma once
 
 #include "geometry/embree/box_tree.h"
+#include "geometry/embree/triangle_tree.h"
 #include "geometry/mesh_tree.h"
-#include "geometry/patch_cell.h"
+#include "geometry/patch_fields.h"
+#include "geometry/patch_fill.h"
+#include "geometry/patch_relief.h"
 #include "geometry/smooth_fans.h"
 
-#include <atomic>
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sahl {
-
-/// What runs through a triangle's corners.
-enum class PatchKind : std::uint8_t {
-    quadratic, // heights over the chords by the normals at their ends; the light's normal is the corners',
-               // weighted
-    fitted,    // polynomials of degree 4, one at each vertex, weighted
-    apart      // as fitted, but for light's normals, which those of the farther corners give: for pilots
-};
 
 struct CurvedCrossing {
     double t = 0.0;
@@ -39,28 +35,6 @@ struct CurvedCrossing {
 struct CurvedAnswer {
     std::optional<CurvedCrossing> crossing;
     double contradiction = INFINITY; // as MeshAnswer's
-};
-
-/// Polynomials by fan, fitted when first asked for, by any thread.
-class LazyFields {
-  public:
-    explicit LazyFields(std::shared_ptr<SmoothFans const> fans);
-    ~LazyFields();
-    LazyFields(LazyFields const&) = delete;
-    LazyFields& operator=(LazyFields const&) = delete;
-
-    /// Nothing where no polynomial describes the surface there better than the quadratic patch.
-    HeightField const* at(std::uint32_t fan, std::vector<PatchCell> const& cells) const {
-        HeightField const* const known = slots_[fan].load(std::memory_order_acquire);
-        return known == nullptr ? fit(fan, cells) : known == &none_ ? nullptr : known;
-    }
-    std::size_t fitted() const; // so far
-
-  private:
-    HeightField const* fit(std::uint32_t fan, std::vector<PatchCell> const& cells) const;
-    std::shared_ptr<SmoothFans const> fans_;
-    mutable std::vector<std::atomic<HeightField const*>> slots_;
-    HeightField none_{};
 };
 
 class CurvedTree {
@@ -86,22 +60,43 @@ class CurvedTree {
     /// fitted.
     double bytes_per_triangle() const;
 
+    /// Asks for a patch ahead of its use.
+    void prefetch(std::uint32_t triangle) const { patches_[triangle].prefetch(); }
+    /// With heights and tilts, made when first asked for, by any thread.
+    Patch const& patch(std::uint32_t triangle) const {
+        Patch const& patch = patches_[triangle];
+        if (patch.made.load(std::memory_order_acquire) == 0)
+            make(triangle);
+        return patch;
+    }
+
   private:
-    std::optional<CurvedCrossing> meet(std::uint32_t triangle, dvec3 const& origin, dvec3 const& direction,
-                                       bool rises, double slack) const;
+    friend class CurvedQuery;
+    /// Every place that the line may meet, grazing or not, by the patches' boxes.
     std::optional<CurvedCrossing> nearest(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
-                                          Reach reach, double rounding, double slack) const;
+                                          Reach reach, double rounding, bool in_doubt) const;
+    CurvedAnswer next_by_boxes(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
+                               double rounding) const;
+    std::optional<CurvedCrossing> meet(std::uint32_t triangle, dvec3 const& origin, dvec3 const& direction,
+                                       bool rises, double from, bool in_doubt) const;
 
     /// Where no patch gives a ray that is inside a way out: through the triangles.
     CurvedAnswer through_triangles(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
                                    Reach reach, double rounding) const;
+    void make(std::uint32_t triangle) const;
+    std::span<Patch const> patches() const { return {patches_.get(), fans_->triangles.size()}; }
 
     std::shared_ptr<SmoothFans const> fans_;
     PatchKind kind_;
-    std::vector<PatchCell> cells_;
-    double fit_blur_ = 0.0; // m
+    std::unique_ptr<Patch[]> patches_;
+    std::vector<Relief> reliefs_;
     std::optional<LazyFields> fields_;
+    mutable std::array<std::mutex, 64> making_;
+    double fit_blur_ = 0.0; // m
     Bounds box_;
+    std::optional<TriangleTree> cage_;
+    std::vector<std::uint32_t> owner_; // of the cage's triangles
+    double behind_ = 0.0;              // m along a steep line, between the cage and the surface
     std::optional<BoxTree> boxes_;
     mutable std::once_flag triangles_built_;
     mutable std::unique_ptr<MeshTree const> triangles_; // built on first need

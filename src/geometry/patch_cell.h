@@ -1,80 +1,50 @@
-// In: a triangle with a normal at each corner, and what surface runs through the corners. Out: where a line
-// meets that surface within the triangle's cell. The cell is what triangles x = Σ w_k (p_k + h n_k) of all
-// heights h fill; two that share an edge share its wall. So a surface that is given by the same function on
-// both sides of each wall has neither gap nor overlap, and its crossings alternate like those of the
+// In: a patch and its relief. Out: where any line meets it, grazing ones included. Its cell is what triangles
+// x = Σ w_k (p_k + h up_k) of all heights h fill; two that share a side share its wall, and on it the
+// surface. So a surface has neither gap nor overlap there, and its crossings alternate like those of the
 // triangles.
 #pragma once
 
-#include "geometry/patch_fit.h"
-#include "math/inline_vector.h"
+#include "geometry/patch_relief.h"
 
-#include <array>
-#include <cstdint>
 #include <optional>
 
 namespace sahl {
 
-struct PatchCell {
-    dvec3 corner{0.0}, normal{0.0}; // of the triangle's plane; unit
-    dvec3 to_v{0.0}, to_w{0.0};     // gradients of the second and third corner's weights in the plane
-    std::array<dvec2, 3> lean{};    // of each corner's normal, in those weights per m of height
-    std::array<double, 3> rise{};   // n_k · normal
-    std::array<double, 3> bulge{};  // m: the surface's height over the side opposite corner k is 4 u(1−u)
-                                    // of this at the middle: bulge = 4 × height there
-    double low = 0.0, high = 0.0;   // m: between these heights lies the surface
-
-    PatchCell(std::array<dvec3, 3> const& corners, std::array<dvec3, 3> const& normals, std::uint8_t creases,
-              double noise);
-
-    /// Height over the plane by the quadratic patch, and its change with the second and third weight.
-    double model(double v, double w) const {
-        double const u = 1.0 - v - w;
-        return v * w * bulge[0] + u * w * bulge[1] + u * v * bulge[2];
-    }
-};
-
-/// A place in a cell: weights of the second and third corner, and height.
+/// A place in a cell, and the surface there.
 struct CellPlace {
-    double v = 0.0, w = 0.0, h = 0.0;
-    std::array<double, 3> weights() const { return {1.0 - v - w, v, w}; }
+    double v = 0.0, w = 0.0, h = 0.0; // weights of the second and third corner, and height
+    double above = 0.0;               // m: h over the surface's height; > 0 outside
+    dvec3 gradient{0.0};              // of that, in space
     double least_weight() const;
 };
 
-CellPlace place_in(PatchCell const& cell, dvec3 const& point);
+class PatchCell {
+  public:
+    PatchCell(Patch const& patch, Relief const& relief) : patch_(patch), relief_(relief) {}
 
-/// The surface function's corners: a polynomial, or none, where the quadratic patch stands in.
-using CellFields = std::array<HeightField const*, 3>;
+    /// `place` is a guess, and the answer.
+    void locate(dvec3 const& point, CellPlace& place) const;
 
-/// > 0 outside; its gradient in space, and the normal for light: that of the polynomials, weighted.
-struct SurfaceValue {
-    double value = 0.0;
-    dvec3 gradient{0.0}, normal{0.0};
-    CellPlace at;
+    struct Root {
+        double t = 0.0;
+        CellPlace at;
+    };
+    /// Where a line goes out of the body (rises) or into it, `slack` (a weight) outside the cell at most.
+    std::optional<Root> root(dvec3 const& origin, dvec3 const& direction, bool rises, double slack) const;
+
+    /// The first such place at t ≥ from, whatever the surface's shape: from samples all along the line's way
+    /// through the cell. Slower.
+    std::optional<Root> any_root(dvec3 const& origin, dvec3 const& direction, bool rises, double slack,
+                                 double from) const;
+
+  private:
+    bool holds(CellPlace const& place, double slack) const;
+
+    Patch const& patch_;
+    Relief const& relief_;
 };
 
-struct PatchSurface {
-    PatchCell const& cell;
-    std::array<dvec3, 3> corners, normals;
-    CellFields fields;
-    std::uint8_t creases;
-    bool apart = false; // the light's normal is that of the farther corners' polynomials
-
-    SurfaceValue value(dvec3 const& point) const;
-};
-
-/// Where a line meets the surface in a cell, going out of the body (rises) or into it.
-struct PatchRoot {
-    double t = 0.0;
-    dvec3 point{0.0};
-    SurfaceValue surface;
-};
-
-/// The root of that sense, or nothing.
-///   slack   how far outside the cell it may lie, as a weight
-std::optional<PatchRoot> root_in(PatchSurface const& surface, dvec3 const& origin, dvec3 const& direction,
-                                 bool rises, double slack);
-
-/// Can the line meet the surface in this cell at all? Quick, and yes in doubt.
+/// Can the line meet the surface in this cell at all? Quick, from the quadratic surface, and yes in doubt.
 struct ModelRoot {
     double base = 0.0;    // t of the place that all is measured from
     double t = 0.0;       // from there: of the quadratic patch, of the sense asked for
@@ -83,11 +53,7 @@ struct ModelRoot {
     double extreme = 0.0; // its value at `turn`
     bool grazing = false; // no root, or two that the model may have wrong
 };
-std::optional<ModelRoot> model_root(PatchCell const& cell, dvec3 const& origin, dvec3 const& direction,
-                                    bool rises);
-
-/// As root_in, from a model root that is known.
-std::optional<PatchRoot> root_from(ModelRoot const& start, PatchSurface const& surface, dvec3 const& origin,
-                                   dvec3 const& direction, bool rises, double slack);
+std::optional<ModelRoot> model_root(Patch const& patch, Relief const& relief, dvec3 const& origin,
+                                    dvec3 const& direction, bool rises);
 
 } // namespace sahl

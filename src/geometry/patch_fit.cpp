@@ -167,8 +167,10 @@ std::optional<HeightField> fit_at(SmoothFans const& fans, std::uint32_t fan, Fit
         auto const solved = solve(rows, unknowns_of(degree));
         if (!solved)
             continue;
-        // the constant says how far rounding put the place off the others' surface; the patch keeps to the
-        // place
+        // the constant says how far the place lies off what all data tell: where rounding may have put it
+        // there, the surface follows the data, otherwise it keeps to the place
+        double const constant = (*solved)[0] * scale;
+        field.constant = std::abs(constant) <= height_noise(fans) ? constant : 0.0;
         double const by = 1.0 / scale;
         std::array<double, 4> const unit{1.0, by, by * by, by * by * by};
         for (std::size_t k = 0; k < field.c.size(); ++k)

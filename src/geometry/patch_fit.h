@@ -10,12 +10,12 @@
 
 namespace sahl {
 
-/// z = f(x, y) in a frame at a fan's place, z along its normal, without a constant: it passes through the
-/// place.
+/// z = f(x, y) in a frame at a fan's place, z along its normal.
 struct HeightField {
     dvec3 origin{0.0}, x_axis{0.0}, y_axis{0.0}, z_axis{0.0};
     /// of x, y, xx, xy, yy, xxx, xxy, xyy, yyy, xxxx, xxxy, xxyy, xyyy, yyyy; lengths in m
     std::array<double, 14> c{};
+    double constant = 0.0; // m: how far the place itself lies below the surface
 
     /// Height above the surface along z, and its gradient: > 0 outside.
     double above(dvec3 const& point, dvec3& gradient) const;
@@ -33,7 +33,7 @@ inline double HeightField::above(dvec3 const& point, dvec3& gradient) const {
     double const d1 = c[3] + x * (2.0 * c[6] + x * (3.0 * c[10])), d2 = c[7] + x * (2.0 * c[11]);
     double const fx = d0 + y * (d1 + y * (d2 + y * c[12]));
     gradient = z_axis - fx * x_axis - fy * y_axis;
-    return dot(from, z_axis) - f;
+    return dot(from, z_axis) - f - constant;
 }
 
 struct FitOptions {

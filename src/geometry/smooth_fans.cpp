@@ -178,17 +178,22 @@ void gather(SmoothFans& fans, HealthView const& view, std::vector<std::uint32_t>
             fan.normal = -fan.normal;
         fans.fans.push_back(fan);
     });
-    for (std::uint32_t side = 0; side < 3 * view.real(); ++side)
-        if (across[side] >= Sides::crowded || across[side] / 3 >= view.real()) {
-            std::uint32_t const opposite =
-                previous_side(side) % 3; // the corner that the side lies opposite of
-            bool const swaps = turned(side / 3) && opposite != 0;
-            fans.triangles[side / 3].creases |=
-                static_cast<std::uint8_t>(1u << (swaps ? 3 - opposite : opposite));
-        }
+    for (std::uint32_t side = 0; side < 3 * view.real(); ++side) {
+        std::uint32_t const opposite = previous_side(side) % 3; // the corner that the side lies opposite of
+        std::uint32_t const k = turned(side / 3) && opposite != 0 ? 3 - opposite : opposite;
+        SmoothTriangle& triangle = fans.triangles[side / 3];
+        if (across[side] >= Sides::crowded || across[side] / 3 >= view.real())
+            triangle.creases |= static_cast<std::uint8_t>(1u << k);
+        else
+            triangle.beside[k] = across[side] / 3;
+    }
 }
 
 } // namespace
+
+double height_noise(SmoothFans const& fans) {
+    return fans.reach * (fans.float_positions ? 0x1p-22 : 0x1p-46);
+}
 
 SmoothFans smooth_fans(std::shared_ptr<Mesh const> mesh) {
     SmoothFans fans;

@@ -29,7 +29,10 @@ struct Fan {
 };
 
 struct SmoothTriangle {
-    std::array<std::uint32_t, 3> fans{}; // anticlockwise seen from outside
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+    std::array<std::uint32_t, 3> fans{};                   // anticlockwise seen from outside
+    std::array<std::uint32_t, 3> beside{none, none, none}; // the triangle across the side opposite each
+                                                           // corner; none over a crease
     std::uint8_t creases = 0; // bit k: the side opposite corner k is a crease, a border, or cut by a
                               // vertex of the other side; the surface there is the chord
 };
@@ -47,6 +50,9 @@ struct SmoothFans {
     std::vector<std::uint32_t> group; // of each triangle: smooth pieces between creases
     std::uint32_t groups = 0;
 };
+
+/// m: what float positions leave open of heights; in double a share of rounding.
+double height_noise(SmoothFans const& fans);
 
 SmoothFans smooth_fans(std::shared_ptr<Mesh const> mesh);
 

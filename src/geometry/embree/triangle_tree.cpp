@@ -35,6 +35,7 @@ struct Query {
     double unit;  // length of the caller's direction
     double per_unit;
     double margin; // m
+    float sure;    // square of a slope
     float far() const {
         return static_cast<float>((to - start) * unit + margin);
     } // the margin covers rounding
@@ -48,8 +49,7 @@ void propose(RTCFilterFunctionNArguments const* arguments) {
     auto const& hit = *reinterpret_cast<RTCHit const*>(arguments->hit);
     float const along = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
     float const squared = hit.Ng_x * hit.Ng_x + hit.Ng_y * hit.Ng_y + hit.Ng_z * hit.Ng_z;
-    bool const sure =
-        along * along > static_cast<float>(TriangleTree::sure_slope * TriangleTree::sure_slope) * squared;
+    bool const sure = along * along > query.sure * squared;
     Proposal const proposal{hit.primID, query.start + static_cast<double>(ray.tfar) * query.per_unit,
                             !sure          ? 0
                             : along < 0.0f ? -1
@@ -100,6 +100,7 @@ Corners grown(Corners const& c, double growth) {
 struct TriangleTree::State {
     dvec3 centre{0.0}, half{0.0};
     double size = 0.0, margin = 0.0; // m, the diagonal of the box of all, a share of it
+    double sure = sure_slope;
     RTCScene scene = nullptr;
     ~State() {
         if (scene)
@@ -107,9 +108,10 @@ struct TriangleTree::State {
     }
 };
 
-TriangleTree::TriangleTree(std::span<std::array<dvec3, 3> const> triangles)
+TriangleTree::TriangleTree(std::span<std::array<dvec3, 3> const> triangles, double sure)
     : state_(std::make_unique<State>()) {
     State& state = *state_;
+    state.sure = std::max(sure, sure_slope);
     if (triangles.empty())
         return;
     dvec3 low(INFINITY), high(-INFINITY);
@@ -172,7 +174,9 @@ void TriangleTree::visit_triangles(dvec3 const& origin, dvec3 const& direction, 
             return;
         part = *clipped;
     }
-    Query query{{}, callback, context, reach.to, part.from, unit, per_unit, margin};
+    Query query{{},       callback,  context,
+                reach.to, part.from, unit,
+                per_unit, margin,    static_cast<float>(state.sure * state.sure)};
     RTCRayHit ray = float_ray(start + part.from * direction, per_unit * direction,
                               static_cast<float>((part.to - part.from) * unit + margin));
     intersect(state.scene, query.embree, ray);

@@ -27,7 +27,8 @@ class TriangleTree {
     static constexpr double sure_slope = 0.02;
 
     /// Corners anticlockwise, seen from where most lines come.
-    explicit TriangleTree(std::span<std::array<dvec3, 3> const> triangles);
+    ///   sure   the slope below which a proposal's sense is left open, if that is to be more than sure_slope
+    explicit TriangleTree(std::span<std::array<dvec3, 3> const> triangles, double sure = sure_slope);
     TriangleTree(TriangleTree&&) noexcept;
     TriangleTree& operator=(TriangleTree&&) noexcept;
     ~TriangleTree();
