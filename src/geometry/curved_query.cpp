@@ -20,7 +20,7 @@ bool CurvedQuery::meet(Proposed const& proposed, CurvedCrossing& crossing) const
     constexpr int most_steps = 4;
     for (int step = 0; step < most_steps; ++step) {
         Patch const& patch = tree_.patch(triangle);
-        auto const met = meet_steeply(patch, start, direction_);
+        auto const met = meet_steeply(patch, start, direction_, tree_.thickness_, 0.25 * rounding_);
         if (!met)
             return false;
         std::array<double, 3> const weights{1.0 - met->v - met->w, met->v, met->w};

@@ -40,7 +40,8 @@ CurvedTree::CurvedTree(std::shared_ptr<Mesh const> mesh, PatchKind kind)
     PatchCage cage = cage_of(*fans_, patches(), reliefs_);
     cage_.emplace(cage.triangles, cage.steep);
     owner_ = std::move(cage.owner);
-    behind_ = cage.thickness / cage.steep;
+    thickness_ = cage.thickness;
+    behind_ = thickness_ / cage.steep;
 }
 
 void CurvedTree::make(std::uint32_t triangle) const {

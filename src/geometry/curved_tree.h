@@ -96,6 +96,7 @@ class CurvedTree {
     Bounds box_;
     std::optional<TriangleTree> cage_;
     std::vector<std::uint32_t> owner_; // of the cage's triangles
+    double thickness_ = 0.0;           // m, of the layer between the cage and the triangles
     double behind_ = 0.0;              // m along a steep line, between the cage and the surface
     std::optional<BoxTree> boxes_;
     mutable std::once_flag triangles_built_;

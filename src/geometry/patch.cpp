@@ -4,14 +4,14 @@
 
 namespace sahl {
 
-std::optional<PatchMeeting> meet_steeply(Patch const& patch, dvec3 const& origin, dvec3 const& direction) {
-    // weights: an error far below what separates two cells
-    constexpr double enough = 1e-14;
-    constexpr double far = 4.0; // weights; the patch tells nothing there
-    dvec3 const start = patch.corner - origin;
+std::optional<PatchMeeting> meet_steeply(Patch const& patch, dvec3 const& origin, dvec3 const& direction,
+                                         double size, double error) {
+    constexpr double far = 4.0;     // weights; the patch tells nothing there
+    constexpr double enough = 1e-6; // weights: the tangents are those of the place
+    // a surface that rises by `size` in the middle lies 4 size · step² off its tangent plane
+    double const enough_squared = std::min(enough * enough, error / (4.0 * size));
     PatchMeeting at;
-    PatchPoint point{start, patch.to_second, patch.to_third};
-    double last = 0.0;
+    PatchPoint point{patch.corner - origin, patch.to_second, patch.to_third};
     for (int pass = 0; pass < 8; ++pass) {
         at.outward = point.outward();
         // onto the tangent plane, and there by the tangents
@@ -22,17 +22,14 @@ std::optional<PatchMeeting> meet_steeply(Patch const& patch, dvec3 const& origin
                      dw = dot(cross(point.by_v, off), at.outward) * by;
         at.v += dv;
         at.w += dw;
-        double const step = std::abs(dv) + std::abs(dw);
         if (!(std::abs(at.v) + std::abs(at.w) < far))
             return std::nullopt;
-        // each step's error is that of the last one squared, times what two steps tell
-        if (pass > 0 && (step <= enough || step * step * step <= enough * last * last))
+        if (pass > 0 && dv * dv + dw * dw <= enough_squared)
             return at;
-        last = step;
         point = point_on(patch, at.v, at.w);
         point.place -= origin;
     }
-    return last <= 1e-9 ? std::optional(at) : std::nullopt;
+    return std::nullopt;
 }
 
 } // namespace sahl

@@ -38,30 +38,42 @@ struct alignas(64) Patch {
 };
 static_assert(sizeof(Patch) == 256);
 
-/// Of a polynomial in Bernstein's form: its value and how it changes with the second and third weight.
+/// Bernstein's polynomials of degree 3, in the order of a net.
+inline std::array<double, 10> cubic_basis(double v, double w) {
+    double const u = 1.0 - v - w, uu = u * u, vv = v * v, ww = w * w, three_u = 3.0 * u, three_v = 3.0 * v;
+    return {uu * u,          three_u * u * v, three_u * vv, vv * v,       3.0 * uu * w,
+            6.0 * u * v * w, three_v * v * w, three_u * ww, three_v * ww, ww * w};
+}
+
+inline double sum_of(std::array<float, 10> const& net, std::array<double, 10> const& basis) {
+    double even = 0.0, odd = 0.0; // two chains, for speed
+    for (std::size_t n = 0; n < net.size(); n += 2) {
+        even += basis[n] * static_cast<double>(net[n]);
+        odd += basis[n + 1] * static_cast<double>(net[n + 1]);
+    }
+    return even + odd;
+}
+
+/// Of a polynomial: its value and how it changes with the second and third weight.
 struct NetValue {
     double value = 0.0, by_v = 0.0, by_w = 0.0;
 };
 
-/// By de Casteljau's steps; equal where two nets agree along a side.
-template <std::size_t Degree, std::size_t Size>
-NetValue value_of(std::array<float, Size> const& net, double v, double w) {
-    static_assert(Size == (Degree + 1) * (Degree + 2) / 2);
-    double const u = 1.0 - v - w;
-    std::array<double, Size> b;
-    for (std::size_t i = 0; i < Size; ++i)
-        b[i] = static_cast<double>(net[i]);
-    for (std::size_t degree = Degree; degree > 1; --degree) {
-        std::size_t to = 0, row = 0;
-        for (std::size_t k = 0; k < degree; ++k) {
-            std::size_t const length = degree + 1 - k;
-            for (std::size_t j = 0; j + 1 < length; ++j)
-                b[to++] = u * b[row + j] + v * b[row + j + 1] + w * b[row + length + j];
-            row += length;
+/// What de Casteljau's first three steps leave, and his last one.
+inline NetValue value_of(std::array<float, 15> const& net, double v, double w) {
+    std::array<double, 10> const basis = cubic_basis(v, w);
+    double first = 0.0, second = 0.0, third = 0.0;
+    std::size_t n = 0, here = 0;
+    for (std::size_t k = 0; k < 4; ++k) { // rows of the basis; the net's are longer by one
+        std::size_t const next_row = here + 5 - k;
+        for (std::size_t j = 0; j + k < 4; ++j, ++n) {
+            first += basis[n] * static_cast<double>(net[here + j]);
+            second += basis[n] * static_cast<double>(net[here + j + 1]);
+            third += basis[n] * static_cast<double>(net[next_row + j]);
         }
+        here = next_row;
     }
-    constexpr auto degree = static_cast<double>(Degree);
-    return {u * b[0] + v * b[1] + w * b[2], degree * (b[1] - b[0]), degree * (b[2] - b[0])};
+    return {(1.0 - v - w) * first + v * second + w * third, 4.0 * (second - first), 4.0 * (third - first)};
 }
 
 /// The surface at weights of the second and third corner.
@@ -71,8 +83,8 @@ struct PatchPoint {
     dvec3 outward() const { return cross(by_v, by_w); } // not unit
 };
 
-inline PatchPoint point_on(Patch const& patch, double v, double w) {
-    NetValue const h = value_of<4>(patch.height, v, w);
+[[gnu::always_inline]] inline PatchPoint point_on(Patch const& patch, double v, double w) {
+    NetValue const h = value_of(patch.height, v, w);
     dvec3 const first = patch.direction(0), second = patch.direction(1) - first,
                 third = patch.direction(2) - first;
     dvec3 const up = first + v * second + w * third;
@@ -83,9 +95,9 @@ inline PatchPoint point_on(Patch const& patch, double v, double w) {
 
 /// The normal for light, not unit.
 inline dvec3 light_normal(Patch const& patch, double v, double w) {
-    return cross(patch.to_second, patch.to_third) +
-           value_of<3>(patch.tilt_second, v, w).value * patch.to_second +
-           value_of<3>(patch.tilt_third, v, w).value * patch.to_third;
+    std::array<double, 10> const basis = cubic_basis(v, w);
+    return cross(patch.to_second, patch.to_third) + sum_of(patch.tilt_second, basis) * patch.to_second +
+           sum_of(patch.tilt_third, basis) * patch.to_third;
 }
 
 /// Where a line meets a patch, or the patch's own continuation beside it.
@@ -96,6 +108,9 @@ struct PatchMeeting {
 
 /// By Newton's method from where the line meets the triangle; for lines that are steep to all of the patch.
 /// Nothing where it does not settle.
-std::optional<PatchMeeting> meet_steeply(Patch const& patch, dvec3 const& origin, dvec3 const& direction);
+///   size    m: heights change by no more than this over a patch
+///   error   m: of the place, along the normal
+std::optional<PatchMeeting> meet_steeply(Patch const& patch, dvec3 const& origin, dvec3 const& direction,
+                                         double size, double error);
 
 } // namespace sahl

@@ -27,7 +27,7 @@ void PatchCell::locate(dvec3 const& point, CellPlace& place) const {
         place.h += by * dot(across, off);
         double const change = std::abs(dv) + std::abs(dw);
         if (change < 1e-13 || !(change < last)) {
-            height = value_of<4>(patch_.height, place.v, place.w);
+            height = value_of(patch_.height, place.v, place.w);
             place.above = place.h - height.value;
             place.gradient = by * across - height.by_v * to_v - height.by_w * to_w;
             return;
@@ -52,7 +52,7 @@ std::optional<ModelRoot> model_root(Patch const& patch, Relief const& relief, dv
     double const v = dot(to_v, from), dv = dot(to_v, direction);
     double const w = dot(to_w, from), dw = dot(to_w, direction);
     double const u = 1.0 - v - w, du = -dv - dw;
-    auto const& [ba, bb, bc] = relief.bulge;
+    double const ba = relief.bulge_over(0), bb = relief.bulge_over(1), bc = relief.bulge_over(2);
     // z − model along the line: a quadratic
     double const c = z - (v * w * ba + u * w * bb + u * v * bc);
     double const b = dz - ((v * dw + w * dv) * ba + (u * dw + w * du) * bb + (u * dv + v * du) * bc);

@@ -91,7 +91,7 @@ struct Filler {
         return height_of(std::array{Share{rest, fields[i]}, Share{along, fields[j]}},
                          rest * first.place + along * second.place,
                          rest * patch.direction(i) + along * patch.direction(j),
-                         along * rest * relief.bulge[k]);
+                         along * rest * relief.bulge_over(k));
     }
 
     void fill_side(std::size_t k) {
@@ -100,7 +100,7 @@ struct Filler {
         std::array<double, 5> f{corner_height(i), 0.0, 0.0, 0.0, corner_height(j)};
         if (turned)
             std::swap(f[0], f[4]);
-        double const b = relief.bulge[k];
+        double const b = relief.bulge_over(k);
         std::array<double, 3> const model{b / 4.0, b / 3.0, b / 4.0};
         std::array<double, 3> c = model;
         if (!relief.has_chord(k) && (fields[i] || fields[j])) {
@@ -109,7 +109,7 @@ struct Filler {
             c = {(-13.0 * f[0] + 48.0 * f[1] - 36.0 * f[2] + 16.0 * f[3] - 3.0 * f[4]) / 12.0,
                  (13.0 * f[0] - 64.0 * f[1] + 120.0 * f[2] - 64.0 * f[3] + 13.0 * f[4]) / 18.0,
                  (-3.0 * f[0] + 16.0 * f[1] - 36.0 * f[2] + 48.0 * f[3] - 13.0 * f[4]) / 12.0};
-            double const room = relief.room[k] + height_noise(fans);
+            double const room = static_cast<double>(relief.room[k]) + height_noise(fans);
             for (std::size_t m = 0; m < 3; ++m)
                 if (!(std::abs(c[m] - model[m]) <= room)) {
                     c = model;
@@ -133,14 +133,14 @@ struct Filler {
         Weights on{};
         on[i] = rest;
         on[j] = along;
-        double const adopted = value_of<4>(patch.height, on[1], on[2]).value;
+        double const adopted = value_of(patch.height, on[1], on[2]).value;
         return w[i] * w[j] / (along * rest) * (free_on_side(k, along) - adopted);
     }
 
     void fill_inside() {
         constexpr std::array<Weights, 3> nodes{
             Weights{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}};
-        auto const& [a, b, c] = relief.bulge;
+        double const a = relief.bulge_over(0), b = relief.bulge_over(1), c = relief.bulge_over(2);
         // the quadratic surface's own coefficients
         std::array<double, 3> const model{(a + 2.0 * b + 2.0 * c) / 12.0, (2.0 * a + b + 2.0 * c) / 12.0,
                                           (2.0 * a + 2.0 * b + c) / 12.0};
@@ -152,7 +152,7 @@ struct Filler {
                 double height = free_height(nodes[n]);
                 for (std::size_t k = 0; k < 3; ++k)
                     height -= bent(k, nodes[n]);
-                rest[n] = height - value_of<4>(patch.height, nodes[n][1], nodes[n][2]).value;
+                rest[n] = height - value_of(patch.height, nodes[n][1], nodes[n][2]).value;
                 sum += rest[n];
             }
             bool usable = true;
@@ -170,7 +170,7 @@ struct Filler {
     }
 
     dvec3 normal_at(Weights const& w) const {
-        dvec3 const point = flat(w) + value_of<4>(patch.height, w[1], w[2]).value * up(w);
+        dvec3 const point = flat(w) + value_of(patch.height, w[1], w[2]).value * up(w);
         dvec3 sum(0.0);
         for (std::size_t k = 0; k < 3; ++k) {
             double const weight = kind == PatchKind::apart ? 0.5 * (1.0 - w[k]) : w[k];

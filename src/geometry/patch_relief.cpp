@@ -30,8 +30,8 @@ double area_left(Patch const& patch, double height) {
 
 /// Over a triangle: the range of heights that bulges and room make.
 std::pair<double, double> range_of(Relief const& relief, double noise) {
-    auto const& [a, b, c] = relief.bulge;
-    double const room = std::max({relief.room[0], relief.room[1], relief.room[2]});
+    double const a = relief.bulge_over(0), b = relief.bulge_over(1), c = relief.bulge_over(2);
+    auto const room = static_cast<double>(std::max({relief.room[0], relief.room[1], relief.room[2]}));
     // the quadratic patch's coefficients, written as those of degree 4, are at most 5/12 of the bulge
     return {0.42 * std::min({a, b, c, 0.0}) - room - noise, 0.42 * std::max({a, b, c, 0.0}) + room + noise};
 }
@@ -50,7 +50,7 @@ struct ReliefMaker {
                 Fan const &i = fans.fans[of[(k + 1) % 3]], &j = fans.fans[of[(k + 2) % 3]];
                 double const bulge =
                     reliefs[t].has_chord(k) ? 0.0 : 0.5 * dot(j.place - i.place, j.normal - i.normal);
-                reliefs[t].bulge[k] = bulge;
+                reliefs[t].bulge[k] = static_cast<float>(bulge);
                 for (std::uint32_t const fan : {of[(k + 1) % 3], of[(k + 2) % 3]})
                     most[fan] = std::max(most[fan], std::abs(bulge));
             }
@@ -58,10 +58,9 @@ struct ReliefMaker {
         for (std::size_t t = 0; t < reliefs.size(); ++t) {
             auto const& of = fans.triangles[t].fans;
             for (std::size_t k = 0; k < 3; ++k)
-                reliefs[t].room[k] =
-                    reliefs[t].has_chord(k)
-                        ? 0.0
-                        : share_of_bulge * std::max(most[of[(k + 1) % 3]], most[of[(k + 2) % 3]]);
+                if (!reliefs[t].has_chord(k))
+                    reliefs[t].room[k] = static_cast<float>(
+                        share_of_bulge * std::max(most[of[(k + 1) % 3]], most[of[(k + 2) % 3]]));
             auto const [low, high] = range_of(reliefs[t], noise);
             reliefs[t].low = static_cast<float>(low);
             reliefs[t].high = static_cast<float>(high);
@@ -71,11 +70,14 @@ struct ReliefMaker {
     /// Chords on both sides of each side of this triangle.
     void flatten(std::uint32_t t) {
         reliefs[t].chords = 7;
+        reliefs[t].room = {};
         for (std::uint32_t const other : fans.triangles[t].beside)
             if (other != SmoothTriangle::none)
                 for (std::size_t k = 0; k < 3; ++k)
-                    if (fans.triangles[other].beside[k] == t)
+                    if (fans.triangles[other].beside[k] == t) {
                         reliefs[other].chords |= static_cast<std::uint8_t>(1u << k);
+                        reliefs[other].room[k] = 0.0f;
+                    }
     }
 };
 
@@ -139,7 +141,8 @@ std::vector<Stands> sides_by_group(SmoothFans const& fans, std::span<Relief cons
     constexpr double about_flat = 1e-3; // of the greatest bulge: what float normals leave open
     std::vector<double> up(fans.groups, 0.0), down(fans.groups, 0.0);
     for (std::size_t t = 0; t < reliefs.size(); ++t)
-        for (double const bulge : reliefs[t].bulge) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            double const bulge = reliefs[t].bulge_over(k);
             double& most = (bulge > 0.0 ? up : down)[fans.group[t]];
             most = std::max(most, std::abs(bulge));
         }
@@ -163,13 +166,13 @@ double turn_of(Patch const& patch) {
 /// The slope from which on a line goes through the surface once where it goes through the cage, and the turn
 /// from which on a triangle is too bent for it.
 std::pair<double, double> steepness(std::vector<double> turns) {
-    constexpr double by_turn = 4.0, most = 0.3;
+    constexpr double by_turn = 4.0, least_by_turn = 2.5, most = 0.3;
     if (turns.empty())
         return {most, INFINITY};
     auto const nearly_all = turns.begin() + static_cast<std::ptrdiff_t>(turns.size() * 19 / 20);
     std::nth_element(turns.begin(), nearly_all, turns.end());
     double const steep = std::clamp(by_turn * *nearly_all, TriangleTree::sure_slope, most);
-    return {steep, steep / by_turn * (1.0 + 1e-9)};
+    return {steep, steep / least_by_turn};
 }
 
 struct CageMaker {

@@ -16,17 +16,18 @@ namespace sahl {
 
 /// What a triangle's surface keeps to, known before anything is fitted.
 struct Relief {
-    std::array<double, 3> bulge{}; // m: over the side opposite corner k the quadratic surface rises to u(1−u)
-                                   // times this; 0 over a chord
-    std::array<double, 3> room{};  // m: and another surface may differ from it by this
+    std::array<float, 3> bulge{}; // m: over the side opposite corner k the quadratic surface rises to u(1−u)
+                                  // times this; 0 over a chord
+    std::array<float, 3> room{};   // m: and another surface may differ from it by this
     float low = 0.0f, high = 0.0f; // m: heights along `up` lie between these
     std::uint8_t chords = 0;       // bit k: the side opposite corner k is a crease or not to be trusted
 
+    double bulge_over(std::size_t k) const { return static_cast<double>(bulge[k]); }
     bool has_chord(std::size_t k) const { return (chords >> k & 1) != 0; }
     /// Height of the quadratic surface.
     double model(double v, double w) const {
         double const u = 1.0 - v - w;
-        return v * w * bulge[0] + u * w * bulge[1] + u * v * bulge[2];
+        return v * w * bulge_over(0) + u * w * bulge_over(1) + u * v * bulge_over(2);
     }
 };
 

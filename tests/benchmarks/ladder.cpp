@@ -18,7 +18,7 @@ using namespace sahl::bench;
 
 namespace {
 
-constexpr double radius = 5e-3, rounding = 1e-17;
+constexpr double radius = 5e-3, rounding = 64.0 * 0x1p-52 * 8.7e-3; // as in a scene, of the ball's extent
 
 struct Query {
     dvec3 origin, direction;
