@@ -79,7 +79,10 @@ TEST_CASE("quadratic patches converge with the third order or better", "[curved]
 }
 
 TEST_CASE("a fitted ball's normals are those of the sphere to 3e-8 rad", "[curved]") {
-    CHECK(errors_of(PatchKind::fitted, fine).normal < 3e-8); // what float normals say, averaged over a patch
+    Errors const errors = errors_of(PatchKind::fitted, fine);
+    WARN("normals of a fitted ball of 15 680 triangles: RMS " << errors.normal << " rad, places "
+                                                              << errors.place << " R");
+    CHECK(errors.normal < 3e-8); // what float normals say, averaged over a patch
 }
 
 TEST_CASE(
