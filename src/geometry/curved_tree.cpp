@@ -47,14 +47,14 @@ CurvedTree::CurvedTree(std::shared_ptr<Mesh const> mesh, PatchKind kind)
 void CurvedTree::make(std::uint32_t triangle) const {
     std::scoped_lock const lock(making_[triangle % making_.size()]);
     Patch& patch = patches_[triangle];
-    if (patch.made.load(std::memory_order_relaxed) != 0)
+    if (patch.made.load(std::memory_order_relaxed) != Patch::bare)
         return;
     CornerFields fields{};
     if (fields_)
         for (std::size_t k = 0; k < 3; ++k)
             fields[k] = fields_->at(fans_->triangles[triangle].fans[k], reliefs_);
-    fill(patch, *fans_, triangle, reliefs_[triangle], fields, kind_);
-    patch.made.store(1, std::memory_order_release);
+    Patch::Made const made = fill(patch, *fans_, triangle, reliefs_[triangle], fields, kind_);
+    patch.made.store(made, std::memory_order_release);
 }
 
 double CurvedTree::bytes_per_triangle() const {
@@ -69,20 +69,19 @@ double CurvedTree::bytes_per_triangle() const {
 
 std::optional<CurvedCrossing> CurvedTree::meet(std::uint32_t triangle, dvec3 const& origin,
                                                dvec3 const& direction, bool rises, double from,
-                                               bool in_doubt) const {
-    // most of what a box lets through is far from the surface: seen before a patch is fitted
-    if (!in_doubt && !model_root(patches_[triangle], reliefs_[triangle], origin, direction, rises))
-        return std::nullopt;
-    PatchCell const cell(patch(triangle), reliefs_[triangle]);
-    auto const root = in_doubt ? cell.any_root(origin, direction, rises, overlap_in_doubt, from)
-                               : cell.root(origin, direction, rises, overlap_of_cells);
+                                               Care const& care) const {
+    Patch const& here = patch(triangle);
+    bool const thorough = care.thorough || here.made.load(std::memory_order_relaxed) == Patch::uneven;
+    PatchCell const cell(here, reliefs_[triangle]);
+    auto const root = thorough ? cell.any_root(origin, direction, rises, care.overlap, from)
+                               : cell.root(origin, direction, rises, care.overlap);
     if (!root)
         return std::nullopt;
     CurvedCrossing crossing;
     crossing.t = root->t;
     crossing.point = origin + root->t * direction;
     crossing.geometric = normalize(root->at.gradient);
-    crossing.normal = normalize(light_normal(patch(triangle), root->at.v, root->at.w));
+    crossing.normal = normalize(light_normal(here, root->at.v, root->at.w));
     crossing.slope = std::abs(dot(crossing.geometric, direction));
     crossing.uv = {root->at.v, root->at.w};
     crossing.triangle = triangle;
@@ -91,13 +90,12 @@ std::optional<CurvedCrossing> CurvedTree::meet(std::uint32_t triangle, dvec3 con
 }
 
 std::optional<CurvedCrossing> CurvedTree::nearest(dvec3 const& origin, dvec3 const& direction,
-                                                  InsideShells inside, Reach reach, double rounding,
-                                                  bool in_doubt) const {
+                                                  InsideShells inside, Reach reach, Care const& care) const {
     std::optional<CurvedCrossing> best;
-    double const start = reach.from - rounding / length(direction);
+    double const rounding = care.rounding, start = reach.from - rounding / length(direction);
     boxes_->visit(origin, direction, {start, reach.to}, [&](std::uint32_t triangle, double to) {
         bool const in = inside[mesh().shell_of(triangle)];
-        auto const c = meet(triangle, origin, direction, in, start, in_doubt);
+        auto const c = meet(triangle, origin, direction, in, start, care);
         if (!c || c->t > to || (c->t - reach.from) * c->slope < -rounding)
             return to;
         if (!best || std::pair(c->t, triangle) < std::pair(best->t, best->triangle))
@@ -122,16 +120,30 @@ CurvedAnswer CurvedTree::next(dvec3 const& origin, dvec3 const& direction, Insid
 
 CurvedAnswer CurvedTree::next_by_boxes(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
                                        Reach reach, double rounding) const {
-    CurvedAnswer answer{nearest(origin, direction, inside, reach, rounding, false), INFINITY};
+    CurvedAnswer answer{nearest(origin, direction, inside, reach, {false, overlap_of_cells, rounding}),
+                        INFINITY};
     bool in_some = false;
     for (std::uint32_t shell = 0; shell < mesh().shells.size(); ++shell)
         in_some = in_some || inside[shell];
-    if (!answer.crossing && in_some) { // what the ray is in must be left somewhere
-        answer.crossing = nearest(origin, direction, inside, reach, 1e3 * rounding, true);
+    if (answer.crossing || !in_some)
+        return answer;
+    // what the ray is in must be left somewhere
+    answer.crossing = nearest(origin, direction, inside, reach, {true, overlap_of_cells, rounding});
+    if (answer.crossing)
+        return answer;
+    answer.crossing = nearest(origin, direction, inside, reach, {true, overlap_in_doubt, 1e3 * rounding});
+    if (!answer.crossing)
+        answer = through_triangles(origin, direction, inside, reach, rounding);
+    if (!answer
+             .crossing) { // between chord and arc: it has gone out behind its start, by no more than a layer
+        answer.crossing = nearest(origin, direction, inside, reach, {true, overlap_in_doubt, thickness_});
         if (!answer.crossing)
-            return through_triangles(origin, direction, inside, reach, rounding);
-        answer.crossing->recovered = true;
+            return answer;
+        answer.contradiction = INFINITY;
+        answer.crossing->t = std::max(answer.crossing->t, reach.from);
+        answer.crossing->point = origin + answer.crossing->t * direction;
     }
+    answer.crossing->recovered = true;
     return answer;
 }
 
@@ -166,7 +178,8 @@ std::vector<bool> CurvedTree::inside(dvec3 const& origin, dvec3 const& direction
     boxes_->visit(origin, direction, {start, INFINITY}, [&](std::uint32_t triangle, double to) {
         std::uint32_t const shell = mesh().shell_of(triangle);
         for (bool const rises : {true, false}) {
-            auto const c = meet(triangle, origin, direction, rises, start, false);
+            auto const c =
+                meet(triangle, origin, direction, rises, start, {false, overlap_of_cells, rounding});
             if (!c || c->t * c->slope <= rounding || c->t >= nearest_t[shell])
                 continue;
             nearest_t[shell] = c->t;

@@ -65,20 +65,26 @@ class CurvedTree {
     /// With heights and tilts, made when first asked for, by any thread.
     Patch const& patch(std::uint32_t triangle) const {
         Patch const& patch = patches_[triangle];
-        if (patch.made.load(std::memory_order_acquire) == 0)
+        if (patch.made.load(std::memory_order_acquire) == Patch::bare)
             make(triangle);
         return patch;
     }
 
   private:
     friend class CurvedQuery;
+    /// How a line is met with the patches that its boxes leave.
+    struct Care {
+        bool thorough = false; // by samples all along the line, whatever a patch is like
+        double overlap = 0.0;  // weight: how far beside a patch it may be met
+        double rounding = 0.0; // m
+    };
     /// Every place that the line may meet, grazing or not, by the patches' boxes.
     std::optional<CurvedCrossing> nearest(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
-                                          Reach reach, double rounding, bool in_doubt) const;
+                                          Reach reach, Care const& care) const;
     CurvedAnswer next_by_boxes(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                                double rounding) const;
     std::optional<CurvedCrossing> meet(std::uint32_t triangle, dvec3 const& origin, dvec3 const& direction,
-                                       bool rises, double from, bool in_doubt) const;
+                                       bool rises, double from, Care const& care) const;
 
     /// Where no patch gives a ray that is inside a way out: through the triangles.
     CurvedAnswer through_triangles(dvec3 const& origin, dvec3 const& direction, InsideShells inside,

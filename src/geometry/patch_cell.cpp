@@ -37,6 +37,19 @@ void PatchCell::locate(dvec3 const& point, CellPlace& place) const {
     place.above = NAN; // outside of what the cell describes
 }
 
+namespace {
+
+/// What the quadratic surface tells of a line: can it meet the surface in this cell at all? Quick, and yes in
+/// doubt.
+struct ModelRoot {
+    double base = 0.0;    // t of the place that all is measured from
+    double t = 0.0;       // from there: of the quadratic patch, of the sense asked for
+    double turn = 0.0;    // from there: where the height over it is stationary
+    double bend = 0.0;    // half of its second derivative
+    double extreme = 0.0; // its value at `turn`
+    bool grazing = false; // no root, or two that the model may have wrong
+};
+
 std::optional<ModelRoot> model_root(Patch const& patch, Relief const& relief, dvec3 const& origin,
                                     dvec3 const& direction, bool rises) {
     double const squared = dot(direction, direction);
@@ -82,8 +95,6 @@ std::optional<ModelRoot> model_root(Patch const& patch, Relief const& relief, dv
         return std::nullopt;
     return root;
 }
-
-namespace {
 
 struct Walk {
     PatchCell const& cell;

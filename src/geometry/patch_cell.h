@@ -44,16 +44,4 @@ class PatchCell {
     Relief const& relief_;
 };
 
-/// Can the line meet the surface in this cell at all? Quick, from the quadratic surface, and yes in doubt.
-struct ModelRoot {
-    double base = 0.0;    // t of the place that all is measured from
-    double t = 0.0;       // from there: of the quadratic patch, of the sense asked for
-    double turn = 0.0;    // from there: where the height over it is stationary
-    double bend = 0.0;    // half of its second derivative
-    double extreme = 0.0; // its value at `turn`
-    bool grazing = false; // no root, or two that the model may have wrong
-};
-std::optional<ModelRoot> model_root(Patch const& patch, Relief const& relief, dvec3 const& origin,
-                                    dvec3 const& direction, bool rises);
-
 } // namespace sahl

@@ -63,6 +63,7 @@ struct Filler {
     Relief const& relief;
     CornerFields const& fields;
     PatchKind kind;
+    double strays = 0.0; // m: coefficients from those of the quadratic surface
 
     dvec3 flat(Weights const& w) const {
         return w[0] * patch.place(0) + w[1] * patch.place(1) + w[2] * patch.place(2);
@@ -116,6 +117,8 @@ struct Filler {
                     break;
                 }
         }
+        for (std::size_t m = 0; m < 3; ++m)
+            strays = std::max(strays, std::abs(c[m] - model[m]));
         if (turned) {
             std::swap(f[0], f[4]);
             std::swap(c[0], c[2]);
@@ -163,6 +166,8 @@ struct Filler {
             }
             if (!usable)
                 inner = model;
+            for (std::size_t n = 0; n < 3; ++n)
+                strays = std::max(strays, std::abs(inner[n] - model[n]));
         }
         patch.height[slot<4>({2, 1, 1})] = static_cast<float>(inner[0]);
         patch.height[slot<4>({1, 2, 1})] = static_cast<float>(inner[1]);
@@ -221,13 +226,17 @@ struct Filler {
 
 } // namespace
 
-void fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, Relief const& relief,
-          CornerFields const& fields, PatchKind kind) {
+Patch::Made fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, Relief const& relief,
+                 CornerFields const& fields, PatchKind kind) {
     Filler filler{patch, fans, fans.triangles[triangle], relief, fields, kind};
     for (std::size_t k = 0; k < 3; ++k)
         filler.fill_side(k);
     filler.fill_inside();
     filler.fill_tilts();
+    constexpr double little = 0.02; // of the layer that the surface may lie in
+    return filler.strays <= little * (static_cast<double>(relief.high) - static_cast<double>(relief.low))
+               ? Patch::even
+               : Patch::uneven;
 }
 
 } // namespace sahl

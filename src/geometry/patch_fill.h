@@ -21,8 +21,8 @@ using CornerFields = std::array<HeightField const*, 3>;
 
 /// Heights and tilts of a bare patch. A side's heights come from its own ends alone, so that its two
 /// triangles agree to the bit; where a polynomial strays from the quadratic surface by more than the relief's
-/// room, that side is quadratic.
-void fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, Relief const& relief,
-          CornerFields const& fields, PatchKind kind);
+/// room, that side is quadratic. Returns whether all is near to the quadratic surface.
+Patch::Made fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, Relief const& relief,
+                 CornerFields const& fields, PatchKind kind);
 
 } // namespace sahl

@@ -47,12 +47,26 @@ std::string few_digits(Body const& body, SmoothFans const& fans) {
     return body.name + text;
 }
 
+/// A curved method was asked for, and the mesh is met by its triangles.
+std::string not_curved(Scene const& scene, Body const& body) {
+    Method const asked = scene.mesh_method;
+    bool const curved = asked == Method::quadratic || asked == Method::fitted || asked == Method::recognised;
+    if (!curved || !body.mesh || (!body.open && body.mesh->closed()))
+        return {};
+    return body.name + (body.open ? ": an open mesh" : ": a mesh with holes") +
+           " is not taken as curved; it is traced as " +
+           (body.method == Method::interpolated ? "interpolated" : "facet") +
+           ". For a curved mirror use a shape, or a closed body";
+}
+
 } // namespace
 
 std::vector<std::string> normal_warnings(Scene const& scene) {
     std::vector<std::string> warnings;
     std::map<std::pair<Mesh const*, Method>, bool> told;
     for (Body const& body : scene.bodies) {
+        if (std::string text = not_curved(scene, body); !text.empty())
+            warnings.push_back(std::move(text));
         bool const meets_triangles = body.method == Method::facet || body.method == Method::automatic;
         if (!body.mesh || body.open || !body.mesh->closed() || meets_triangles ||
             body.mesh->soup.normals.empty() || !told.try_emplace({body.mesh.get(), body.method}).second)

@@ -11,7 +11,8 @@ namespace sahl {
 
 /// Of each closed mesh that is not met by its triangles alone: normals of few digits or first order only,
 /// which interpolation follows and curved surfaces do not; normals averaged over creases, near which
-/// interpolation is worse than the triangles.
+/// interpolation is worse than the triangles. And of each mesh that a curved method was asked for and that
+/// has holes or is open: it is met by its triangles.
 std::vector<std::string> normal_warnings(Scene const& scene);
 
 } // namespace sahl
