@@ -168,7 +168,7 @@ TEST_CASE("an export in fewer triangles says how many, and stands for the same b
                 "radius_mm = 4, pattern = \"hexagonal\", rays = 300}\n"));
     };
     std::string const fine = "model = \"" + std::string(SAHL_SOURCE_DIR) + "/models/ball-20480.glb\"";
-    auto const lines = export_model(ball(fine), 120, folder.path() / "fewer.glb", 2e-5);
+    auto const lines = export_model(ball(fine), 120, folder.path / "fewer.glb", 2e-5);
     REQUIRE(lines.size() == 1);
     CHECK(lines.front().find("of 20480 triangles") != std::string::npos);
     Value const summary = run_experiment(ball("model = \"fewer.glb\""), {}).summary;
@@ -178,7 +178,7 @@ TEST_CASE("an export in fewer triangles says how many, and stands for the same b
                                     " of "));
     // what stays is as it was: still the ball's places and normals
     CHECK(std::get<std::string>(summary.find("objects")->find("ball")->find("method")->data) == "recognised");
-    auto const larger = export_model(ball(fine + "\nscale = 2"), 120, folder.path() / "larger.glb", 4e-5);
+    auto const larger = export_model(ball(fine + "\nscale = 2"), 120, folder.path / "larger.glb", 4e-5);
     CHECK(larger.front().substr(0, larger.front().find(';')) ==
           lines.front().substr(0, lines.front().find(';'))); // the tolerance is one of the world
 }
