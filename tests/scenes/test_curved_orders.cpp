@@ -15,7 +15,7 @@ namespace {
 
 constexpr double index = 1.5168;
 
-struct Lens {
+struct Optic {
     std::string shape;
     double radius_mm; // of the beam: 80 % of the aperture
 };
@@ -67,7 +67,7 @@ Errors between(std::vector<Leaving> const& one, std::vector<Leaving> const& othe
 }
 
 /// Against the shape, its mesh of that many segments round the rim.
-Errors errors_of(Lens const& lens, unsigned segments, std::string const& method) {
+Errors errors_of(Optic const& lens, unsigned segments, std::string const& method) {
     TemporaryFolder const folder("curved-orders");
     std::string const exact = bench_with("shape = " + lens.shape, lens.radius_mm);
     export_model(load_experiment(folder.write("exact.toml", exact)), segments, folder.path / "body.glb");
@@ -75,17 +75,17 @@ Errors errors_of(Lens const& lens, unsigned segments, std::string const& method)
     return between(leaving(exact, "auto"), leaving(bench_with(model, lens.radius_mm), method));
 }
 
-Errors of_model(Lens const& lens, std::string const& model, std::string const& method) {
+Errors of_model(Optic const& lens, std::string const& model, std::string const& method) {
     return between(
         leaving(bench_with("shape = " + lens.shape, lens.radius_mm), "auto"),
         leaving(bench_with("model = '" SAHL_SOURCE_DIR "/models/" + model + "'", lens.radius_mm), method));
 }
 
-Lens const ball{"{sphere = {radius_mm = 5}}", 4.0};
-Lens const singlet{"{lens = {r1_mm = 50, r2_mm = -50, thickness_mm = 10, diameter_mm = 30}}", 12.0};
-Lens const asphere{"{lens = {r1_mm = 40, r2_mm = -90, thickness_mm = 9, diameter_mm = 30, conic1 = -0.7, "
-                   "aspheric1 = [1e-6, -2e-9]}}",
-                   12.0};
+Optic const ball{"{sphere = {radius_mm = 5}}", 4.0};
+Optic const singlet{"{lens = {r1_mm = 50, r2_mm = -50, thickness_mm = 10, diameter_mm = 30}}", 12.0};
+Optic const asphere{"{lens = {r1_mm = 20, r2_mm = 0, thickness_mm = 8, diameter_mm = 25, conic1 = -0.7, "
+                    "aspheric1 = [1e-6, -2e-9]}}",
+                    10.0};
 
 double order(double coarse, double fine, double ratio) {
     return std::log(coarse / fine) / std::log(ratio);
@@ -95,10 +95,10 @@ double order(double coarse, double fine, double ratio) {
 
 TEST_CASE("fitted surfaces of a ball, a singlet and an asphere converge with the fourth order", "[curved]") {
     struct Step {
-        Lens const& lens;
+        Optic const& lens;
         unsigned coarse, fine;
     };
-    for (Step const& step : {Step{ball, 16, 32}, {singlet, 24, 48}, {asphere, 24, 48}}) {
+    for (Step const& step : {Step{ball, 16, 32}, Step{singlet, 24, 48}, Step{asphere, 24, 48}}) {
         double const coarse = errors_of(step.lens, step.coarse, "fitted").direction,
                      fine = errors_of(step.lens, step.fine, "fitted").direction;
         double const found =
@@ -111,11 +111,11 @@ TEST_CASE("fitted surfaces of a ball, a singlet and an asphere converge with the
 TEST_CASE("fitted meshes with float data bend light as their shapes do, to what is promised", "[curved]") {
     double const of_ball = of_model(ball, "ball-20480.glb", "fitted").direction;
     Errors const of_singlet = of_model(singlet, "singlet-4104.glb", "fitted");
-    double const of_asphere = errors_of(asphere, 128, "fitted").direction;
+    double const of_asphere = errors_of(asphere, 290, "fitted").direction;
     WARN("fitted: ball " << of_ball << ", singlet " << of_singlet.direction << ", asphere " << of_asphere
                          << " rad; optical path of the singlet " << of_singlet.path * 1e9 << " nm, RMS");
     CHECK(of_ball < 3e-8);
     CHECK(of_singlet.direction < 5e-9);
-    CHECK(of_asphere < 5e-9);
+    CHECK(of_asphere < 1e-8);        // of 15 288 triangles over an f/1.6: here the fit errs, not the floats
     CHECK(of_singlet.path < 0.1e-9); // m
 }
