@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 
 #include "math/input_error.h"
+#include "record/detector_normals.h"
 #include "record/explain.h"
 #include "record/read_rays.h"
 #include "run/check.h"
@@ -80,7 +81,7 @@ std::string explained(RayLogReader const& reader, std::optional<std::uint64_t> r
                          (ray ? "ray " + std::to_string(*ray) + " has" : std::string("has")) +
                              " no path that is selected",
                          "give another --where");
-    return explain_ray(reader.header(), rows, filter ? &drawn : nullptr);
+    return explain_ray(reader.header(), rows, filter ? &drawn : nullptr, detector_normals(reader.header()));
 }
 
 } // namespace

@@ -19,6 +19,7 @@ struct TraceArguments {
     std::vector<std::string> set;
     unsigned threads = 0;
     bool json = false, quiet = false, resume = false;
+    double keep_every_s = *RunOptions().keep_every_s;
 };
 
 /// --seed, --tolerance, --method and --log are --set under shorter names.
@@ -74,6 +75,7 @@ int run_trace(TraceArguments const& arguments) {
                                         : std::filesystem::path(arguments.out);
     options.threads = arguments.threads;
     options.resume = arguments.resume;
+    options.keep_every_s = arguments.keep_every_s;
     if (!arguments.log.empty() && arguments.log != "none")
         options.log_file = arguments.log;
     RunResult result;
@@ -126,8 +128,12 @@ void add_trace(CLI::App& app, int& status) {
                      "How meshes are met: auto, facet, interpolated, quadratic, fitted, recognised")
         ->check(CLI::IsMember({"auto", "facet", "interpolated", "quadratic", "fitted", "recognised"}));
     command->add_option("--log", arguments->log, "none, or a file for the log of the rays");
-    command->add_flag("--resume", arguments->resume,
-                      "Go on where a run of this experiment that has a log was stopped");
+    command->add_flag("--resume", arguments->resume, "Go on where a run of this experiment was stopped");
+    command
+        ->add_option("--keep-every", arguments->keep_every_s,
+                     "Seconds after which what is known so far is kept for --resume")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     command->add_flag("--json", arguments->json, "The summary on standard output");
     command->add_flag("--quiet", arguments->quiet, "Say nothing but errors");
     command->callback([arguments, &status] { status = run_trace(*arguments); });

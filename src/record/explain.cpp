@@ -127,7 +127,15 @@ std::string shares(RayTree const& tree, std::size_t row) {
     return text;
 }
 
-std::string end_of(RayTree const& tree, std::size_t row) {
+using Normals = std::map<std::string, dvec3>;
+
+/// Where nothing goes on from that would tell the normal.
+std::string incidence_on(Segment const& in, std::string const& surface, Normals const& normals) {
+    auto const found = normals.find(surface);
+    return found == normals.end() ? "" : "incidence " + angle(angle_to(in.direction, found->second));
+}
+
+std::string end_of(RayTree const& tree, std::size_t row, Normals const& normals) {
     Segment const& s = tree.rows[row];
     switch (s.ended) {
     case Event::escaped:
@@ -150,10 +158,12 @@ std::string end_of(RayTree const& tree, std::size_t row) {
                                      : std::string(verb_of(s.ended, tree.children[row].size() > 1)) +
                                            surface_name(tree.header, s.surface);
     text += " at " + triple(in_mm(1.0) * (s.origin + s.length * s.direction)) + " mm";
-    if (s.ended == Event::absorbed || s.ended == Event::detected)
-        return text;
-    std::string const bent = s.ended == Event::passed || s.ended == Event::scattered ? "" : angles(tree, row);
-    std::string const carried = shares(tree, row);
+    bool const for_good = s.ended == Event::absorbed || s.ended == Event::detected;
+    std::string bent =
+        for_good || s.ended == Event::passed || s.ended == Event::scattered ? "" : angles(tree, row);
+    if (bent.empty() && s.surface >= 0)
+        bent = incidence_on(s, surface_name(tree.header, s.surface), normals);
+    std::string const carried = for_good ? "" : shares(tree, row);
     return text + (bent.empty() ? "" : ": " + bent) +
            (carried.empty() ? "" : (bent.empty() ? ": " : "; ") + carried);
 }
@@ -205,7 +215,7 @@ std::string heading(RayTree const& tree) {
 } // namespace
 
 std::string explain_ray(LogHeader const& header, std::vector<Segment> const& rows,
-                        std::vector<char> const* drawn) {
+                        std::vector<char> const* drawn, std::map<std::string, dvec3> const& normals) {
     if (rows.empty())
         return "";
     RayTree const tree = grow_tree(header, rows);
@@ -231,7 +241,7 @@ std::string explain_ray(LogHeader const& header, std::vector<Segment> const& row
         std::string const margin = entry.rest + (children.empty() ? "   " : "│  ");
         text += entry.first + title_of(tree, entry.row) + "\n";
         text += margin + power_of(tree, entry.row) + "\n";
-        text += margin + end_of(tree, entry.row) + "\n";
+        text += margin + end_of(tree, entry.row, normals) + "\n";
         for (std::size_t k = children.size(); k-- > 0;) {
             bool const only = children.size() == 1, last = k + 1 == children.size();
             todo.push_back({children[k],

@@ -5,6 +5,7 @@
 #include "run/one_run.h"
 #include "run/side_by_side.h"
 #include "run/sweep_table.h"
+#include "run/unfinished.h"
 #include "run/values.h"
 #include "scene/model_cache.h"
 #include "scene/read_sweep.h"
@@ -27,8 +28,9 @@ struct Bracket {
 
 class Seeker {
   public:
-    Seeker(ExperimentSource const& source, GoalSpec const& goal, RunOptions const& options)
-        : source_(source), goal_(goal), options_(options) {
+    Seeker(ExperimentSource const& source, GoalSpec const& goal, RunOptions const& options,
+           fs::path const& folder)
+        : source_(source), goal_(goal), options_(options), folder_(folder) {
         options_.threads = threads_of(options.threads);
         options_.progress = {};
         options_.models = &models_;
@@ -103,8 +105,12 @@ class Seeker {
     }
 
     SweepRow row_at(double x) const {
+        if (auto kept = options_.resume ? kept_look(folder_, x) : std::nullopt)
+            return {{of(x)}, std::move(*kept)};
         ExperimentSource const step = at(x);
-        return {{of(x)}, run_once(step, read_experiment(step.tree, step.file), options_, {}).summary};
+        SweepRow row{{of(x)}, run_once(step, read_experiment(step.tree, step.file), options_, {}).summary};
+        keep_look(folder_, x, row.summary);
+        return row;
     }
 
     /// What is to be least, or 0; NaN where the run has no such figure.
@@ -173,6 +179,7 @@ class Seeker {
     GoalSpec const& goal_;
     ModelCache models_;
     RunOptions options_;
+    fs::path const& folder_; // where looks are kept, or empty
     std::vector<SweepRow> rows_;
     std::vector<std::string> keys_{goal_.key};
     std::mutex mutex_;
@@ -216,7 +223,7 @@ RunResult run_goal(ExperimentSource const& source, Experiment const& experiment,
     GoalSpec const& goal = *experiment.goal;
     RunOptions seeking = options;
     seeking.log_file.reset(); // of the run that is found alone
-    Seeker seeker(source, goal, seeking);
+    Seeker seeker(source, goal, seeking, folder);
     Bracket const bracket = seeker.look();
     double const x = seeker.narrow(bracket);
     ExperimentSource const step = seeker.at(x);

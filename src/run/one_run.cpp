@@ -9,6 +9,7 @@
 #include "run/page_detectors.h"
 #include "run/polarisation_pilot.h"
 #include "run/summary.h"
+#include "run/unfinished.h"
 
 #include <algorithm>
 #include <fstream>
@@ -122,8 +123,12 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         log.emplace(options.log_file.value_or(folder / "rays.h5"), run.names,
                     RayLogOptions{experiment.log.compress, whole_chunks(experiment.log.shard_rows)},
                     options.resume ? LogStart::where_it_was_stopped : LogStart::anew);
-    TraceOutcome const outcome = trace_scene(run.scene, optics, emission, experiment.trace, options.threads,
-                                             log ? &*log : nullptr, experiment.log, options.progress);
+    std::optional<KnownSoFar> known;
+    if (!log && writes && options.keep_every_s)
+        known = known_in(folder, options.resume, *options.keep_every_s);
+    TraceOutcome const outcome =
+        trace_scene(run.scene, optics, emission, experiment.trace, options.threads, log ? &*log : nullptr,
+                    experiment.log, options.progress, known ? &*known : nullptr);
     if (log)
         log->close();
     for (std::string& warning : hole_warnings(run.scene, outcome.holes))

@@ -44,11 +44,10 @@ RunResult run_experiment(ExperimentSource const& source, RunOptions const& optio
     need_sources(experiment);
     bool const sweeps = !experiment.sweep.empty();
     std::optional<RunFolder> folder;
-    bool const logs = options.log_file || experiment.log.on;
     if (!options.out.empty() && sweeps)
         folder.emplace(options.out, sweep_identity(source));
     else if (!options.out.empty())
-        folder.emplace(options.out, logs && !experiment.goal ? sweep_identity(source) : std::string(),
+        folder.emplace(options.out, sweep_identity(source),
                        options.resume ? Unfinished::same_goes_on : Unfinished::removed);
     fs::path const work = folder ? folder->path() : fs::path();
     RunResult result;

@@ -30,9 +30,10 @@ struct RunOptions {
     unsigned threads = 0;      // 0: all there are
     std::optional<std::filesystem::path>
         log_file;        // instead of rays.h5 in the folder; its presence turns the log on
-    bool resume = false; // a run of the same experiment that was stopped goes on, if it has a log; or from
-                         // its first ray
-    Progress progress;   // of each run
+    bool resume = false; // a run of the same experiment that was stopped goes on, if there is one
+    std::optional<double> keep_every_s = 10.0; // how often what is known so far is kept for that, where there
+                                               // is no log; none: never
+    Progress progress;                         // of each run
     std::function<void(std::size_t step, std::size_t steps)> sweep_progress;
     ModelCache* models = nullptr; // those of earlier runs; none: each run reads its own
 };

@@ -1,6 +1,7 @@
 #include "run/run_folder.h"
 
 #include "math/input_error.h"
+#include "run/unfinished.h"
 
 #include <algorithm>
 #include <array>
@@ -113,6 +114,7 @@ RunFolder::~RunFolder() {
 }
 
 void RunFolder::publish() {
+    fs::remove_all(work_ / unfinished_folder);
     fs::path const old = work_.string() + ".old";
     if (fs::exists(wanted_)) {
         fs::remove_all(old);

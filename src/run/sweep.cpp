@@ -104,6 +104,7 @@ void run_all(Steps& steps, std::size_t runs) {
     ModelCache models; // a step that changes nothing of a model does not read it again
     how.models = &models;
     how.threads = threads_of(how.threads);
+    how.keep_every_s.reset(); // each run is kept when it is done
     // HDF5 writes one log at a time, and the rays of a run that has a log fill the threads
     bool const apart = steps.experiment.log.on && !steps.folder.empty();
     std::mutex mutex;

@@ -36,7 +36,7 @@ SumUnit power_unit(Emission const& emission) {
 
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
                          TraceOptions const& options, unsigned threads, RayLogWriter* log,
-                         LogOptions const& logged, Progress const& progress) {
+                         LogOptions const& logged, Progress const& progress, KnownSoFar const* known) {
     auto const start = std::chrono::steady_clock::now();
     SumUnit const unit = power_unit(emission);
     PathFilters const filters = path_filters(scene, log ? logged.where : WrittenFilter{});
@@ -66,8 +66,11 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         for (DetectorRecord& detector : outcome.detectors)
             archive(detector);
     };
-    if (log && log->resumed()) {
-        ArchiveReader archive(log->resumed()->state);
+    std::string const* const before = log && log->resumed()            ? &log->resumed()->state
+                                      : !log && known && known->before ? &*known->before
+                                                                       : nullptr;
+    if (before) {
+        ArchiveReader archive(*before);
         known_so_far(archive);
         next_batch = rays_done / rays_per_batch; // a stop lies between two of them
     }
@@ -89,10 +92,11 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         return std::make_shared<Traced>(std::move(traced));
     };
     auto const record = [&](std::shared_ptr<Traced> const& traced) { // in the order of batches
-        if (log && log->fills_shard(traced->rows->rows())) {
+        bool const fills_shard = log && log->fills_shard(traced->rows->rows());
+        if (fills_shard || (!log && known && rays_done > 0 && known->due())) {
             ArchiveWriter archive;
             known_so_far(archive);
-            log->remember(archive.bytes());
+            log ? log->remember(archive.bytes()) : known->keep(archive.bytes());
         }
         outcome.tally.add(traced->result->tally);
         outcome.digits.add(traced->result->digits);

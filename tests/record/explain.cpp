@@ -1,5 +1,6 @@
 // The text that explains a ray tells angles, shares and reasons that follow from the rows.
 #include "record/explain.h"
+#include "record/detector_normals.h"
 
 #include "support/catch.h"
 
@@ -87,6 +88,32 @@ TEST_CASE("the explanation of a ray gives angles, shares and the reason of every
               "└─ #2 reflected in air (n 1), without end\n      power 0.05 W (5 %)\n      escaped towards "
               "(-0.866025, 0.5, 0)\n"));
     CHECK_FALSE(has(text, "not in the log"));
+}
+
+TEST_CASE("the angle at a flat detector follows from the log's experiment, with what was set", "[record]") {
+    LogHeader told = header();
+    told.experiment_text = R"(
+[[object]]
+name = "ball"
+shape = {sphere = {radius_mm = 5}}
+medium = {n = 1.5}
+[[source]]
+name = "laser"
+rays = [[0, 0, -50, 0, 0, 1]]
+[[detector]]
+name = "screen"
+at_mm = [0, 0, 0]
+facing = [0, 0, 1]
+size_mm = [9, 9]
+)";
+    told.options_json = R"({"set": ["detector.screen.facing=[-2, 0, 0]"]})";
+    auto const normals = detector_normals(told);
+    REQUIRE(normals.count("screen") == 1);
+    std::string const text = explain_ray(told, prism(), nullptr, normals);
+    INFO(text);
+    CHECK(has(text, "detected by screen at (8.66025, -5, 0) mm: incidence 30.00°\n"));
+    told.experiment_text = "catalogues = [\"not-here.agf\"]" + told.experiment_text;
+    CHECK(detector_normals(told).empty());
 }
 
 TEST_CASE("what a log leaves out for its power is not said to be absorbed", "[record]") {

@@ -115,6 +115,25 @@ TEST_CASE("the same rows give the same bytes, in whatever portions and a second 
     CHECK((sample::bytes_of(sample::write(folder, rows, 31, "crumbs.h5")) == once));
 }
 
+TEST_CASE("small and large portions by turns give the same bytes, compressed or not") {
+    sample::Folder const folder;
+    auto const rows = sample::rows(40000);
+    for (bool const compress : {false, true}) {
+        std::string const once =
+            sample::bytes_of(sample::write(folder, rows, SIZE_MAX, "once.h5", {compress}));
+        RayLogWriter log(folder.path / "turns.h5", sample::header(), {compress});
+        std::size_t done = 0;
+        for (std::size_t turn = 0; done < rows.size(); ++turn) {
+            std::size_t const portion = std::array<std::size_t, 5>{7, 9000, 1, 16384, 300}[turn % 5];
+            std::size_t const count = std::min(portion, rows.size() - done);
+            log.append(std::span(rows).subspan(done, count));
+            done += count;
+        }
+        log.close();
+        CHECK((sample::bytes_of(folder.path / "turns.h5") == once));
+    }
+}
+
 TEST_CASE("rows read from a log and written again give the same bytes") {
     sample::Folder const folder;
     auto const first = sample::write(folder, sample::rows(30000));
