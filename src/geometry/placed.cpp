@@ -101,9 +101,11 @@ Placed place(PlacedGeometry geometry, MeshMeeting by) {
 namespace {
 
 VertexShare vertices_for(Curving curving) {
-    return curving == recognised_even  ? VertexShare::even
-           : curving == recognised_odd ? VertexShare::odd
-                                       : VertexShare::all;
+    return curving == recognised_even    ? VertexShare::even
+           : curving == recognised_odd   ? VertexShare::odd
+           : curving == recognised_heads ? VertexShare::heads
+           : curving == recognised_tails ? VertexShare::tails
+                                         : VertexShare::all;
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 #include "math/random.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace sahl {
@@ -16,6 +18,17 @@ namespace {
 constexpr double residual_ulps = 4.0 * 0x1p-23;
 constexpr std::size_t most_regions = 6;
 
+/// By a hash: every other vertex may be all of one rim. The same for places that are each other's images in
+/// the planes and diagonals of the axes, since a regular mesh rounds all of them by the same.
+std::uint64_t lot_of(dvec3 const& place) {
+    std::array<double, 3> sizes{std::abs(place.x), std::abs(place.y), std::abs(place.z)};
+    std::sort(sizes.begin(), sizes.end());
+    std::uint64_t lot = 0;
+    for (double const size : sizes)
+        lot = mix64(lot ^ std::bit_cast<std::uint64_t>(size));
+    return lot;
+}
+
 void leave_out(Piece& piece, VertexShare share) {
     constexpr std::size_t few = 16;
     std::size_t const count = piece.places.size();
@@ -23,9 +36,11 @@ void leave_out(Piece& piece, VertexShare share) {
         return;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        bool const even = share == VertexShare::even;
-        // by a hash: every other one may be all of one rim
-        if (count < few ? i == (even ? 0 : count - 1) : (mix64(i) % 2 == 0) != even)
+        bool const even = share == VertexShare::even || share == VertexShare::heads;
+        bool const tossed = share == VertexShare::heads || share == VertexShare::tails;
+        std::size_t const inwards = tossed ? 1 : 0;
+        if (count < few ? i == (even ? inwards : count - 1 - inwards)
+                        : (lot_of(piece.places[i]) >> inwards) % 2 == (even ? 1 : 0))
             continue;
         piece.places[kept] = piece.places[i];
         piece.normals[kept++] = piece.normals[i];

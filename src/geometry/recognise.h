@@ -22,8 +22,9 @@ struct RecognisedSolid {
 /// place of float coordinates, and normals (where the file's count) to 1e-6 rad, so that the body is what
 /// lies behind all of them. Else nothing.
 /// From half of the vertices alone (or, where a piece has few, all but one), two such solids tell by how much
-/// they differ how far one from all can be trusted.
-enum class VertexShare { all, even, odd };
+/// they differ how far one from all can be trusted. There are two ways to halve: `even` and `odd`, `heads`
+/// and `tails`.
+enum class VertexShare { all, even, odd, heads, tails };
 std::optional<RecognisedSolid> recognise(SmoothFans const& fans, VertexShare share = VertexShare::all);
 
 } // namespace sahl

@@ -81,14 +81,30 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
         reference = &fitted;
     }
     if (whole) {
-        // two solids from half of the vertices each differ by about twice what one from all of them is off
-        auto const even = trees(bodies, {false, recognised_even}),
-                   odd = trees(bodies, {false, recognised_odd});
-        if (even && odd) {
-            PathErrors const halves = compare_paths(*even, *odd, true);
-            double const bound = margin_of_finest * halves.tail() + rounding;
-            double const changed = fits ? compare_paths(*whole, fitted, true).changed_share() : 0.0;
-            found.levels.push_back({Method::recognised, bound, 0.5 * halves.rms, changed});
+        // two solids from half of the vertices each differ by about twice what one from all of them is off;
+        // by chance less: so of two ways to halve, the one that tells more
+        std::optional<PathErrors> halves;
+        for (auto const& [one, other] :
+             {std::pair(recognised_even, recognised_odd), std::pair(recognised_heads, recognised_tails)}) {
+            auto const half = trees(bodies, {false, one}), rest = trees(bodies, {false, other});
+            if (!half || !rest) {
+                halves.reset();
+                break;
+            }
+            PathErrors const apart_by = compare_paths(*half, *rest, true);
+            if (!halves || halves->tail() < apart_by.tail())
+                halves = apart_by;
+        }
+        if (halves) {
+            double bound = margin_of_finest * halves->tail() + rounding, changed = 0.0;
+            if (fits) {
+                PathErrors const from_fitted = compare_paths(*whole, fitted, true);
+                changed = from_fitted.changed_share();
+                // a surface that is nearly what it is held to be misleads all halves alike
+                if (of_fitted < bound)
+                    bound = std::max(bound, from_fitted.tail() + of_fitted);
+            }
+            found.levels.push_back({Method::recognised, bound, 0.5 * halves->rms, changed});
             if (bound < of_fitted) {
                 reference = &*whole;
                 reference_bound = bound;

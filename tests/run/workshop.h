@@ -15,9 +15,8 @@
 #include <sstream>
 #include <thread>
 
-namespace bench {
+namespace sahl::bench {
 
-using namespace sahl;
 namespace fs = std::filesystem;
 
 inline std::string bytes_of(fs::path const& file) {
@@ -115,4 +114,4 @@ struct Workshop {
     }
 };
 
-} // namespace bench
+} // namespace sahl::bench

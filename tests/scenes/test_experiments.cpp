@@ -83,6 +83,8 @@ TEST_CASE("every experiment passes, and its log tells the ledger of its summary"
         std::string const name = entry.path().stem().string();
         if (entry.path().extension() != ".toml" || (name.find("bunny") != std::string::npos && !has_bunny()))
             continue;
+        if (entry.path().parent_path().filename() == "judged")
+            continue; // for pictures alone, of models that a script of that folder makes
         CAPTURE(name);
         ExperimentSource const source = load_experiment(entry.path(), {});
         if (read_experiment(source.tree, source.file).sources.empty())
