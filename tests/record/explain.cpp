@@ -96,7 +96,7 @@ TEST_CASE("the angle at a flat detector follows from the log's experiment, with 
 [[object]]
 name = "ball"
 shape = {sphere = {radius_mm = 5}}
-medium = {n = 1.5}
+medium = "N-BK7"
 [[source]]
 name = "laser"
 rays = [[0, 0, -50, 0, 0, 1]]

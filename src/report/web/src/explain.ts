@@ -2,7 +2,7 @@
 import { Ev, eventNames } from './events';
 import { general } from './numbers';
 import { angleTo, beyond, childBorn, indexOf, mediumIndex, normalAtEnd, type RayTree } from './tree';
-import { add, scale, vecAt, type Vec } from './vec';
+import { add, cross, scale, vecAt, type Vec } from './vec';
 
 const degrees = (radians: number) => `${((radians * 180) / Math.PI).toFixed(2)}°`;
 const percent = (share: number) => `${general(100 * share, 4)} %`;
@@ -76,22 +76,25 @@ export function boundaryAt(tree: RayTree, row: number): Boundary {
     return made;
 }
 
+const bothIndices = (before?: number, after?: number) =>
+    before === undefined || after === undefined ? '' : `, n ${general(before)} → ${general(after)}`;
+
 function angles(tree: RayTree, row: number): string {
     const { rays } = tree.data;
     const normal = normalAtEnd(tree, row);
     if (!normal) return '';
-    const incidence = angleTo(vecAt(rays.toward, row), normal);
+    const incidence = angleTo(vecAt(rays.toward, row), normal), made = boundaryAt(tree, row);
     if (rays.ended[row] === Ev.total_internal) {
         const behind = beyond(tree, row, incidence);
         if (!behind) return `total internal reflection: incidence ${degrees(incidence)}`;
         return `total internal reflection: incidence ${degrees(incidence)} exceeds the critical angle ` +
-            `${degrees(behind.criticalAngle)} against ${mediumName(tree, behind.medium)}${behind.seen ? '' : ', where it came in from'}`;
+            `${degrees(behind.criticalAngle)} against ${mediumName(tree, behind.medium)}` +
+            `${bothIndices(made.before, made.after)}${behind.seen ? '' : ', where it came in from'}`;
     }
-    const made = boundaryAt(tree, row);
     let text = `incidence ${degrees(incidence)}`;
     if (made.refraction !== undefined) {
         text += `, refraction ${degrees(made.refraction)}`;
-        if (made.before !== undefined && made.after !== undefined) text += `, n ${general(made.before)} → ${general(made.after)}`;
+        text += bothIndices(made.before, made.after);
     }
     return text;
 }
@@ -111,6 +114,13 @@ function shares(tree: RayTree, row: number): string {
     return parts.join(', ');
 }
 
+/// Where nothing goes on from that would tell the normal: at a flat detector.
+function incidenceOn(tree: RayTree, row: number, surface: string): string {
+    const detector = tree.data.detectors.find(one => one.name === surface && one.kind === 'rectangle');
+    if (!detector?.x || !detector.y) return '';
+    return `incidence ${degrees(angleTo(vecAt(tree.data.rays.toward, row), cross(detector.x, detector.y)))}`;
+}
+
 function endOf(tree: RayTree, row: number): string {
     const { rays } = tree.data;
     const ended = rays.ended[row]!;
@@ -127,9 +137,10 @@ function endOf(tree: RayTree, row: number): string {
     const surface = rays.surface[row]!;
     let text = surface < 0 ? eventNames[ended]! : verbOf(ended, splits) + surfaceName(tree, surface);
     text += ` at ${triple(add(vecAt(rays.at, row), scale(rays.length[row]!, vecAt(rays.toward, row))))} mm`;
-    if (ended === Ev.absorbed || ended === Ev.detected) return text;
-    const bent = ended === Ev.passed || ended === Ev.scattered ? '' : angles(tree, row);
-    const carried = shares(tree, row);
+    const forGood = ended === Ev.absorbed || ended === Ev.detected;
+    const bent = (forGood || ended === Ev.passed || ended === Ev.scattered ? '' : angles(tree, row)) ||
+        (surface < 0 ? '' : incidenceOn(tree, row, surfaceName(tree, surface)));
+    const carried = forGood ? '' : shares(tree, row);
     return text + (bent ? `: ${bent}` : '') + (carried ? (bent ? '; ' : ': ') + carried : '');
 }
 
