@@ -55,13 +55,19 @@ std::uint32_t bits_of(Turns const& turns) {
 
 /// Attempts that say that rounding cannot have led to an answer; in float, where many are wrong, fewer do.
 int jogs_for(double ulp) {
-    return ulp < 1e-10 ? 200 : 24;
+    return ulp < 1e-10 ? 2000 : 24;
+}
+
+TortureCase without_contact(TortureCase torture) {
+    torture.contact = 0.0;
+    return torture;
 }
 
 class Judge {
   public:
     Judge(TortureCase const& torture, Finder& method, std::uint64_t seed)
         : torture_(torture), method_(method), dice_(seed ^ 0xA5A5A5A5u), quick_(torture), slow_(torture),
+          without_contact_(without_contact(torture)), apart_(without_contact_),
           torn_(std::any_of(torture.parts.begin(), torture.parts.end(),
                             [](TorturePart const& part) { return part.torn; })) {}
 
@@ -79,6 +85,7 @@ class Judge {
     template <class T>
     bool agrees(ExactScene<T> const& scene, std::vector<ExactEvent<T>> const& expected,
                 std::vector<Answer> const& got) const;
+    bool possible(Stand const& stand, Turns const& turns, Answer const& got, bool total);
     Stand jogged(Stand stand, int attempt);
     void blame(bool possible, bool lost);
     void measure(double shift, Stand const& stand);
@@ -91,6 +98,8 @@ class Judge {
     Dice dice_;
     ExactScene<Long> quick_;
     ExactScene<Quad> slow_;
+    TortureCase without_contact_;
+    ExactScene<Quad> apart_;
     bool torn_;
 };
 
@@ -130,6 +139,25 @@ bool Judge::agrees(ExactScene<T> const& scene, std::vector<ExactEvent<T>> const&
         if (k >= expected.size() || !agrees(scene, expected[k], got[k], false))
             return false;
     return true;
+}
+
+/// Whether rounding may have led to the answer: it is that of a line as near as rounding, or of a film that
+/// is there though thinner than rounding, or it names another face of the same part on whose surface the
+/// place lies too, to rounding, as that of a ball lens's rim, which has no width.
+bool Judge::possible(Stand const& stand, Turns const& turns, Answer const& got, bool total) {
+    if (right(apart_, stand, turns, got, total))
+        return true;
+    for (int k = 0; k < jogs_for(method_.ulp()); ++k)
+        if (right(slow_, jogged(stand, k), turns, got, total))
+            return true;
+    ExactStart<Quad> const start = exact(slow_, stand);
+    ExactEvent<Quad> expected = slow_.next(start, turns);
+    if (got.kind != Kind::boundary || expected.places.empty() || expected.places.front().first != got.part)
+        return false;
+    Wide3<Quad> const place = start.origin + expected.t * start.direction;
+    double const off = length(narrow(slow_.onto(got.part, got.face, place) - place));
+    expected.places = {{got.part, slow_.face_number(got.part, got.face)}};
+    return off <= 64.0 * method_.ulp() * slow_.coordinates() && agrees(slow_, expected, got, total);
 }
 
 /// As near as rounding in the method's arithmetic may bring it: up to 64 ulp of the coordinates.
@@ -255,11 +283,9 @@ void Judge::follow(TortureRay const& ray, std::uint64_t number) {
             after = slow->turns_after;
             shift = std::abs(static_cast<double>((Quad(got.t) - slow->t) * slow->slope));
         } else {
-            bool possible = false;
-            for (int k = 0; k < jogs_for(method_.ulp()) && !possible; ++k)
-                possible = right(slow_, jogged(stand, k), turns, got, total).has_value();
-            tell(possible ? "ambiguous" : "wrong", number, event, stand, turns, got);
-            blame(possible, got.kind == Kind::lost);
+            bool const rounding = possible(stand, turns, got, total);
+            tell(rounding ? "ambiguous" : "wrong", number, event, stand, turns, got);
+            blame(rounding, got.kind == Kind::lost);
             return;
         }
         if (got.kind != Kind::boundary)
