@@ -51,7 +51,9 @@ test('clicks at the middles of 20 segments open their rays, in the words and num
         const explained = sahl('explain', folder, '--ray', row.ray).trimEnd().split('\n');
         assert.equal(await own.locator('.ray-panel .heading').textContent(), explained[0]);
         assert.deepEqual(await own.locator('.tree .line').allTextContents(), explained.slice(1));
-        const chosen = await own.locator('.tree .line.chosen.first').textContent();
+        const chosen = await own.locator('.tree .line.chosen.title').textContent();
+        const heights = await own.locator('.tree .line').evaluateAll(lines => lines.map(line => line.clientHeight));
+        assert.ok(Math.max(...heights) < 24, `a line of the tree is ${Math.max(...heights)} pixels high`);
         assert.match(chosen, new RegExp(`#${row.segment} ${row.born} in `));
         const cells = await own.locator('.ray-panel td').allTextContents();
         for (const [name, value] of [['power at start (W)', row.power_start_W], ['length (mm)', row.length_mm]]) {

@@ -50,7 +50,7 @@ export function rayPanel(viewer: Viewer): HTMLElement {
     const from = lines.length <= mostLines ? 0 : Math.max(0, Math.min(near - mostLines / 2, lines.length - mostLines));
     const list = h('div', { class: 'tree', attr: { role: 'tree' } }, ...lines.slice(from, from + mostLines).map(line =>
         h('div', {
-            class: `line${line.first ? ' first' : ''}${line.row === row ? ' chosen' : ''}`, attr: { 'data-segment': String(line.row) },
+            class: `line${line.first ? ' title' : ''}${line.row === row ? ' chosen' : ''}`, attr: { 'data-segment': String(line.row) },
             on: { click: () => viewer.choose(line.row) },
         }, line.text)));
     const path = pathFilterOf(data, tree.first, strongestEnd(tree, row));
