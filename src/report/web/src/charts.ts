@@ -5,7 +5,7 @@ import { css, groupColour, onTheme, themed } from './colours';
 import { h } from './dom';
 import { figure } from './numbers';
 
-export interface Series { name: string; values: (number | null)[]; bars?: boolean; dashed?: boolean; points?: boolean }
+export interface Series { name: string; values: (number | null)[]; bars?: boolean; dashed?: boolean; points?: boolean; line?: boolean }
 
 export interface ChartOptions {
     xName: string;
@@ -42,7 +42,7 @@ export function chart(options: ChartOptions): HTMLElement {
             axes: [{ ...axis(options.xName, options.xLabels), size: 30 }, { ...axis(options.yName), size: 64 }],
             series: [{ label: options.xName, value: (_p, v) => v === null ? '–' : options.xLabels?.[v] ?? figure(v) },
             ...options.series.map((s, i): uPlot.Series => ({
-                label: s.name, stroke: () => css(groupColour(i)), width: s.bars ? 0 : 2, dash: s.dashed ? [5, 4] : [],
+                label: s.name, stroke: () => css(groupColour(i)), width: s.bars || s.line === false ? 0 : 2, spanGaps: s.dashed ?? false, dash: s.dashed ? [5, 4] : [],
                 fill: s.bars ? () => css(groupColour(i)) : undefined, points: { show: s.points ?? (!s.bars && few), size: 5, fill: () => css(groupColour(i)) },
                 paths: s.bars ? uPlot.paths.bars!({ size: [0.7, 26], align: 0 }) : undefined,
                 value: (_p, v) => figure(v),

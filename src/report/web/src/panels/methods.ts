@@ -16,9 +16,9 @@ export function methodsPanel(methods: Json | undefined): HTMLElement | undefined
     const least = Math.min(...points.map(p => p.error).filter(e => e > 0)), foot = least / 10;
     const y = points.map(p => Math.max(p.error, foot));
     return h('div', {}, chart({
-        xName: 'CPU time per segment (ns)', yName: 'error of directions, RMS (rad)', x: points.map(p => p.cost), xLog: true, yLog: true, height: 320,
+        xName: 'CPU time per segment (ns)', yName: 'error of directions, RMS (rad)', x: points.map(p => p.cost), xLog: points.at(-1)!.cost > 30 * points[0]!.cost, yLog: true, height: 320,
         series: [{ name: 'front: nothing is both faster and nearer', values: points.map((p, i) => (p.front ? y[i]! : null)), dashed: true, points: false },
-        { name: 'others', values: points.map((p, i) => (p.front ? null : y[i]!)), points: false }],
+        { name: 'others', values: points.map((p, i) => (p.front ? null : y[i]!)), points: false, line: false }],
         overlay: plot => {
             const { ctx } = plot;
             ctx.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
