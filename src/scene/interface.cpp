@@ -79,6 +79,28 @@ Crossing const& deciding(Scene const& scene, NextHit const& hit) {
     return best ? *best : hit.at_one_place.front();
 }
 
+/// Of a line that runs in a face or along an edge which bodies have in common, each may take it for one that
+/// runs beside it, and what they say together may contradict what the ray is in. Then lines are asked that
+/// rounding does not tell from it, ever farther off: the first whose answer fits counts. Where none does, it
+/// is a leak.
+NextHit next_beside(Scene const& scene, dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
+                    LeftSheets const& left, double from) {
+    auto const [low, high] = scene.bvh->bounds();
+    dvec3 const farthest = glm::max(glm::abs(origin), glm::max(-low, high));
+    double const rounding = 0x1p-52 * std::max({farthest.x, farthest.y, farthest.z});
+    dvec3 const along = perpendicular_to(direction, dvec3(1.0, 0.0, 0.0));
+    dvec3 const across = cross(direction, along);
+    for (double const off : {4.0 * rounding, 16.0 * rounding, 64.0 * rounding})
+        for (dvec3 const& way : {along, across, -along, -across}) {
+            NextHit hit = scene.bvh->next(origin + off * way, direction, inside, left, from);
+            if (hit.proof != Proof::leak) {
+                hit.proof = Proof::recovered;
+                return hit;
+            }
+        }
+    return scene.bvh->next(origin, direction, inside, left, from);
+}
+
 } // namespace
 
 std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside) {
@@ -116,7 +138,9 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
     found.recovered = false;
     double from = 0.0;
     for (;;) {
-        NextHit const hit = scene.bvh->next(origin, direction, found.inside_after, left, from);
+        NextHit hit = scene.bvh->next(origin, direction, found.inside_after, left, from);
+        if (hit.proof == Proof::leak)
+            hit = next_beside(scene, origin, direction, found.inside_after, left, from);
         found.t = hit.t;
         if (hit.proof == Proof::leak)
             return Meeting::leak;

@@ -163,3 +163,42 @@ TEST_CASE("rays that are met within rounding alone are counted as recovered, not
     CHECK(traced.result.tally.recovered < 1000); // and not at every turn
     CHECK(std::abs(traced.result.tally.remainder()) < 1e-13);
 }
+
+TEST_CASE("of light that runs in faces or edges which bodies have in common next to nothing is lost") {
+    Dice dice(5);
+    for (int const kind : {0, 1, 2}) { // exact blocks, meshes, two of each
+        std::uint64_t leaks = 0, rays_traced = 0;
+        for (int k = 0; k < 300; ++k) {
+            Affine const group =
+                k > 0 ? Affine{dice.rotation(), dice.in_box(dvec3(-1.0), dvec3(1.0))} : Affine{};
+            Lab lab;
+            std::vector<MeshSpec> meshes;
+            for (int number = 0; number < 4; ++number) { // about the z axis
+                dvec3 const centre(number % 2 - 0.5, number / 2 - 0.5, 0.0);
+                MediumId const medium = lab.medium(1.4 + 0.1 * number);
+                std::string const name = "block " + std::to_string(number);
+                if (kind == 0 || (kind == 2 && number % 2 == 0))
+                    lab.body(name, Box{{1.0, 1.0, 1.0}}, medium, compose(group, moved(centre)));
+                else
+                    meshes.push_back(
+                        {name, mesh_of(box_soup(centre - 0.5, centre + 0.5, number > 1)), medium, group});
+            }
+            std::vector<RaySpec> rays;
+            for (double const start : {-2.0, -0.3}) // outside, and in the face
+                for (int i = 0; i < 10; ++i) {
+                    dvec3 const from =
+                        i == 0 ? dvec3(0.0, 0.0, start) : dvec3(0.0, dice.uniform() - 0.5, start);
+                    dvec3 const along(0.0, i % 2 == 0 ? 0.0 : 0.6 * dice.uniform() - 0.3, 1.0);
+                    rays.push_back({group.point(from), normalize(group.vector(along))});
+                }
+            rays_traced += rays.size();
+            lab.rays(std::move(rays));
+            lab.experiment.trace.min_power = 1e-3;
+            Traced const traced =
+                trace(with_meshes(build_scene(lab.experiment), meshes), lab.experiment.trace);
+            leaks += traced.ended(Event::leak);
+        }
+        CAPTURE(kind, rays_traced, leaks);
+        CHECK(500 * leaks <= rays_traced);
+    }
+}
