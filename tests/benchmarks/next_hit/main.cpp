@@ -60,6 +60,12 @@ Options read(int argc, char** argv) {
             options.time = false;
         else if (key == "--stories")
             options.stories = true;
+        else {
+            std::fprintf(stderr,
+                         "usage: next_hit [--rays N] [--variant N] [--case PART_OF_A_NAME] [--method NAME] "
+                         "[--csv FILE] [--no-time] [--stories]\n");
+            std::exit(2);
+        }
     }
     return options;
 }
