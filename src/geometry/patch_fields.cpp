@@ -66,7 +66,7 @@ LazyFields::~LazyFields() {
 HeightField const* LazyFields::fit(std::uint32_t fan, std::span<Relief const> reliefs) const {
     std::unique_ptr<HeightField const> made;
     bool const slopes = fans_->normals == NormalUse::files;
-    for (int degree : {4, 3, 2}) {
+    for (int degree : {slopes ? HeightField::degree : 4, 3, 2}) { // places alone carry no more
         auto const field = fit_at(*fans_, fan, {degree, slopes});
         if (field && fits_in(*field, *fans_, reliefs, fan)) {
             HeightField kept = *field;

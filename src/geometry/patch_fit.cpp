@@ -1,5 +1,7 @@
 #include "geometry/patch_fit.h"
 
+#include "geometry/least_squares.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -27,57 +29,92 @@ std::vector<std::uint32_t> neighbours_of(SmoothFans const& fans, std::uint32_t c
     return found;
 }
 
-constexpr int unknowns_of(int degree) {
-    return degree == 4 ? 15 : degree == 3 ? 10 : degree == 2 ? 6 : 3;
+constexpr std::size_t unknowns_of(int degree) {
+    auto const d = static_cast<std::size_t>(degree);
+    return (d + 1) * (d + 2) / 2;
 }
 
-constexpr int most_unknowns = 15;                  // a constant, and HeightField's
-using Row = std::array<double, most_unknowns + 1>; // and the right hand side
+constexpr std::size_t most_unknowns = HeightField::terms + 1; // a constant, and HeightField's
+using Row = std::array<double, most_unknowns>;
 
-/// Least squares by Householder's reflections; nothing where a column is all but a sum of those before it.
-std::optional<std::array<double, most_unknowns>> solve(std::vector<Row> rows, int unknowns) {
-    constexpr double independent = 1e-4; // of columns of about the same length: far above rounding
-    auto const n = static_cast<std::size_t>(unknowns), m = rows.size();
-    if (m < n)
-        return std::nullopt;
-    for (std::size_t k = 0; k < n; ++k) {
-        double whole = 0.0, rest = 0.0;
-        for (std::size_t i = 0; i < m; ++i)
-            (i < k ? whole : rest) += rows[i][k] * rows[i][k];
-        whole += rest;
-        if (!(rest > independent * independent * whole))
-            return std::nullopt;
-        double const norm = std::copysign(std::sqrt(rest), -rows[k][k]);
-        double const head = rows[k][k] - norm; // of Householder's vector; below it the column itself
-        double const scale = -1.0 / (norm * head);
-        for (std::size_t j = k + 1; j <= n; ++j) {
-            std::size_t const column = j == n ? most_unknowns : j;
-            double sum = head * rows[k][column];
-            for (std::size_t i = k + 1; i < m; ++i)
-                sum += rows[i][k] * rows[i][column];
-            sum *= scale;
-            rows[k][column] -= sum * head;
-            for (std::size_t i = k + 1; i < m; ++i)
-                rows[i][column] -= sum * rows[i][k];
+/// Σ a b in four chains, for speed.
+double sum_of_products(double const* a, double const* b, std::size_t size) {
+    std::array<double, 4> sum{};
+    std::size_t i = 0;
+    for (; i + 4 <= size; i += 4)
+        for (std::size_t lane = 0; lane < 4; ++lane)
+            sum[lane] += a[i + lane] * b[i + lane];
+    for (; i < size; ++i)
+        sum[0] += a[i] * b[i];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// Least squares by Householder's reflections, column by column: what is found for the first columns alone is
+/// there on the way.
+class LeastSquares {
+  public:
+    LeastSquares(std::size_t most_rows, std::size_t unknowns)
+        : stride_(most_rows), unknowns_(unknowns), columns_((unknowns + 1) * most_rows) {}
+
+    void add(Row const& row, double right, double weight) {
+        for (std::size_t k = 0; k < unknowns_; ++k)
+            column(k)[rows_] = weight * row[k];
+        column(unknowns_)[rows_++] = weight * right;
+    }
+
+    /// How many of the first columns are independent.
+    std::size_t reflect() {
+        constexpr double independent = 1e-4; // of columns of about the same length: far above rounding
+        for (std::size_t k = 0; k < unknowns_; ++k) {
+            if (k >= rows_)
+                return k;
+            double* const head = column(k) + k;
+            std::size_t const size = rows_ - k;
+            double const rest = sum_of_products(head, head, size),
+                         whole = rest + sum_of_products(column(k), column(k), k);
+            if (!(rest > independent * independent * whole))
+                return k;
+            double const norm = std::copysign(std::sqrt(rest), -*head);
+            *head -= norm; // Householder's vector; below its head the column itself
+            double const scale = -1.0 / (norm * *head);
+            for (std::size_t j = k + 1; j <= unknowns_; ++j) {
+                double* const other = column(j) + k;
+                double const by = scale * sum_of_products(head, other, size);
+                for (std::size_t i = 0; i < size; ++i)
+                    other[i] -= by * head[i];
+            }
+            *head = norm;
         }
-        rows[k][k] = norm;
+        return unknowns_;
     }
-    std::array<double, most_unknowns> x{};
-    for (std::size_t k = n; k-- > 0;) {
-        double sum = rows[k][most_unknowns];
-        for (std::size_t j = k + 1; j < n; ++j)
-            sum -= rows[k][j] * x[j];
-        x[k] = sum / rows[k][k];
+
+    /// Of the first `unknowns` columns alone, which must be independent.
+    Row solution(std::size_t unknowns) {
+        Row x{};
+        for (std::size_t k = unknowns; k-- > 0;) {
+            double sum = column(unknowns_)[k];
+            for (std::size_t j = k + 1; j < unknowns; ++j)
+                sum -= column(j)[k] * x[j];
+            x[k] = sum / column(k)[k];
+        }
+        return x;
     }
-    return x;
-}
+
+  private:
+    double* column(std::size_t k) { return columns_.data() + k * stride_; }
+    std::size_t stride_, unknowns_, rows_ = 0;
+    std::vector<double> columns_;
+};
 
 enum class Of : std::uint8_t { height, slope_x, slope_y };
 
-/// One equation: the terms xⁱyʲ in the order of their degree, or their derivatives, and what they add up to.
-Row row_of(Of what, double x, double y, double value, double weight) {
-    std::array<double, 5> const px{1.0, x, x * x, x * x * x, x * x * x * x};
-    std::array<double, 5> const py{1.0, y, y * y, y * y * y, y * y * y * y};
+/// The terms xⁱyʲ in the order of their degree, or their derivatives.
+Row row_of(Of what, double x, double y) {
+    std::array<double, HeightField::degree + 1> px{1.0}, py{1.0};
+    for (std::size_t k = 1; k < px.size(); ++k) {
+        px[k] = x * px[k - 1];
+        py[k] = y * py[k - 1];
+    }
     Row row{};
     std::size_t term = 0;
     for (std::size_t degree = 0; degree < px.size(); ++degree)
@@ -85,45 +122,123 @@ Row row_of(Of what, double x, double y, double value, double weight) {
             std::size_t const i = degree - j;
             double& entry = row[term++];
             if (what == Of::height)
-                entry = weight * px[i] * py[j];
+                entry = px[i] * py[j];
             else if (what == Of::slope_x && i > 0)
-                entry = weight * static_cast<double>(i) * px[i - 1] * py[j];
+                entry = static_cast<double>(i) * px[i - 1] * py[j];
             else if (what == Of::slope_y && j > 0)
-                entry = weight * static_cast<double>(j) * px[i] * py[j - 1];
+                entry = static_cast<double>(j) * px[i] * py[j - 1];
         }
-    row[term] = weight * value;
     return row;
 }
 
-/// How far data may be off, in lengths of the patch's radius (heights) and rad (slopes): by their own
-/// rounding, and by what a polynomial of degree 4 leaves out, which grows with the fifth power of the
-/// distance.
-struct Doubt {
-    double noise;        // of slopes
-    double height_noise; // of heights
-    double turn;         // of the normal from the middle to the rim, rad
-    double slope(double r) const { return noise + left_out(r); }
-    double height(double r) const { return height_noise + left_out(r) * r / 6.0; }
+/// A neighbour as the polynomial's frame sees it, lengths in the patch's radius.
+struct Datum {
+    double x, y, z, slope_x, slope_y, distance;
+};
 
-  private:
-    double left_out(double r) const { // of a sphere 3/8; of other surfaces about as much
-        double const t = turn * r;
-        return 0.4 * t * t * t * t * t;
+/// How the surface departs from its tangent plane over the patch's radius.
+struct Scale {
+    double turn; // of the normal from the middle to the rim, rad
+    double fall; // of the terms of one degree beside those of the degree below
+    int degree;  // of the polynomial
+    /// What a slope's terms of this degree come to at a distance.
+    double slope(int of_degree, double r) const {
+        double sum = turn * r;
+        for (int k = 1; k < of_degree; ++k)
+            sum *= fall * r;
+        return sum;
     }
 };
 
+/// How far data may be off, in lengths of the patch's radius (heights) and rad (slopes): by their own
+/// rounding, and by what the polynomial leaves out.
+struct Doubt {
+    double noise;        // of slopes
+    double height_noise; // of heights
+    Scale scale;
+    double slope(double r) const { return noise + left_out(r); }
+    double height(double r) const { return height_noise + left_out(r) * r / 6.0; }
+    double left_out(double r) const { return 0.4 * scale.slope(scale.degree + 1, r); }
+};
+
 /// What the data's doubt would make of terms that hardly show in them is held down: a term is expected to be
-/// no larger than the turn of the normals over the patch makes it.
-void add_expectations(std::vector<Row>& rows, double turn) {
-    auto const hold = [&](std::size_t first, std::size_t last, double expected) {
-        for (std::size_t k = first; k < last; ++k) {
+/// no larger than the surface's scale makes it.
+void add_expectations(LeastSquares& equations, Scale const& scale) {
+    for (int degree = 3; degree <= scale.degree; ++degree) {
+        double const weight = 1.0 / scale.slope(degree - 1, 1.0);
+        for (std::size_t k = unknowns_of(degree - 1); k < unknowns_of(degree); ++k) {
             Row row{};
-            row[k] = 1.0 / expected;
-            rows.push_back(row);
+            row[k] = 1.0;
+            equations.add(row, 0.0, weight);
         }
+    }
+}
+
+/// From how far the normals are from a polynomial of degree 2 in the place, by least squares: that is what
+/// the terms of degree 3 come to.
+double fall_of(std::vector<Datum> const& data, double turn) {
+    std::array<Equations<6>, 2> equations;
+    auto const row_at = [](Datum const& d) {
+        return Unknowns<6>{1.0, d.x, d.y, d.x * d.x, d.x * d.y, d.y * d.y};
     };
-    hold(6, 10, turn * turn);
-    hold(10, 15, turn * turn * turn);
+    for (Datum const& d : data) {
+        equations[0].add(row_at(d), d.slope_x);
+        equations[1].add(row_at(d), d.slope_y);
+    }
+    auto const of_x = equations[0].solved(), of_y = equations[1].solved();
+    if (!of_x || !of_y || data.size() < 8)
+        return turn;
+    double squares = 0.0;
+    for (Datum const& d : data) {
+        Unknowns<6> const row = row_at(d);
+        double x = d.slope_x, y = d.slope_y;
+        for (std::size_t k = 0; k < 6; ++k) {
+            x -= (*of_x)[k] * row[k];
+            y -= (*of_y)[k] * row[k];
+        }
+        squares += x * x + y * y;
+    }
+    double const off = std::sqrt(squares / static_cast<double>(data.size()));
+    constexpr double margin = 2.0, most = 0.5; // beyond it no series tells anything
+    return std::min(margin * std::cbrt(off / turn), most);
+}
+
+/// What is known of the surface round a fan.
+struct Surroundings {
+    double size; // m, radius
+    std::vector<Datum> data;
+    Doubt doubt;
+};
+
+std::optional<Surroundings> patch_round(SmoothFans const& fans, std::uint32_t fan, HeightField const& frame,
+                                        FitOptions const& options, int rings) {
+    Fan const& centre = fans.fans[fan];
+    std::vector<std::uint32_t> const near = neighbours_of(fans, fan, rings);
+    double size = 0.0, turn = 1e-5;
+    for (std::uint32_t const i : near) {
+        size = std::max(size, length(fans.fans[i].place - centre.place));
+        turn = std::max(turn, length(fans.fans[i].normal - centre.normal));
+    }
+    if (!(size > 0.0))
+        return std::nullopt;
+    constexpr double steepest = 0.3; // cosine; beyond it the patch is no height field here
+    std::vector<Datum> data;
+    data.reserve(near.size());
+    for (std::uint32_t const i : near) {
+        Fan const& at = fans.fans[i];
+        dvec3 const from = (at.place - centre.place) / size;
+        double const nz = dot(at.normal, frame.z_axis);
+        if (nz >= steepest)
+            data.push_back({dot(from, frame.x_axis), dot(from, frame.y_axis), dot(from, frame.z_axis),
+                            -dot(at.normal, frame.x_axis) / nz, -dot(at.normal, frame.y_axis) / nz,
+                            length(from)});
+    }
+    // a float height is off by an ulp of the coordinates, a normal by an ulp of one: files carry no better
+    // ones
+    double const fall = fall_of(data, turn);
+    return Surroundings{
+        size, std::move(data),
+        {0x1p-24, (fans.float_positions ? 0x1p-24 : 0x1p-50) * fans.reach / size, {turn, fall, options.degree}}};
 }
 
 } // namespace
@@ -135,49 +250,41 @@ std::optional<HeightField> fit_at(SmoothFans const& fans, std::uint32_t fan, Fit
     field.z_axis = centre.normal;
     field.x_axis = perpendicular_to(field.z_axis);
     field.y_axis = cross(field.z_axis, field.x_axis);
-    std::vector<std::uint32_t> const data = neighbours_of(fans, fan, 2);
-    double scale = 0.0, turn = 1e-5;
-    for (std::uint32_t const i : data) {
-        scale = std::max(scale, length(fans.fans[i].place - centre.place));
-        turn = std::max(turn, length(fans.fans[i].normal - centre.normal));
-    }
-    if (!(scale > 0.0))
+    auto patch = patch_round(fans, fan, field, options, 2);
+    // a third ring lessens the noise, where the polynomial reaches so far
+    constexpr double third_ring = 1.5, little = 64.0;
+    if (patch && patch->doubt.left_out(third_ring) < little * patch->doubt.noise)
+        patch = patch_round(fans, fan, field, options, 3);
+    if (!patch)
         return std::nullopt;
-    // a float height is off by an ulp of the coordinates, a normal by an ulp of one: files carry no better
-    // ones
-    Doubt const doubt{0x1p-24, (fans.float_positions ? 0x1p-24 : 0x1p-50) * fans.reach / scale, turn};
-    constexpr double steepest = 0.3; // cosine; beyond it the patch is no height field here
-    std::vector<Row> rows;
-    for (std::uint32_t const i : data) {
-        Fan const& at = fans.fans[i];
-        dvec3 const from = at.place - centre.place;
-        double const x = dot(from, field.x_axis) / scale, y = dot(from, field.y_axis) / scale;
-        double const r = length(from) / scale, nz = dot(at.normal, field.z_axis);
-        if (nz < steepest)
-            continue;
-        rows.push_back(row_of(Of::height, x, y, dot(from, field.z_axis) / scale, 1.0 / doubt.height(r)));
+    auto const& [size, data, doubt] = *patch;
+    std::size_t const unknowns = unknowns_of(options.degree);
+    LeastSquares equations(data.size() * (options.slopes ? 3 : 1) + unknowns, unknowns);
+    for (Datum const& d : data) {
+        equations.add(row_of(Of::height, d.x, d.y), d.z, 1.0 / doubt.height(d.distance));
         if (options.slopes) {
-            double const weight = 1.0 / doubt.slope(r);
-            rows.push_back(row_of(Of::slope_x, x, y, -dot(at.normal, field.x_axis) / nz, weight));
-            rows.push_back(row_of(Of::slope_y, x, y, -dot(at.normal, field.y_axis) / nz, weight));
+            double const weight = 1.0 / doubt.slope(d.distance);
+            equations.add(row_of(Of::slope_x, d.x, d.y), d.slope_x, weight);
+            equations.add(row_of(Of::slope_y, d.x, d.y), d.slope_y, weight);
         }
     }
-    add_expectations(rows, turn);
-    for (int degree = options.degree; degree > 0; --degree) {
-        auto const solved = solve(rows, unknowns_of(degree));
-        if (!solved)
-            continue;
-        // the constant says how far the place lies off what all data tell: where rounding may have put it
-        // there, the surface follows the data, otherwise it keeps to the place
-        double const constant = (*solved)[0] * scale;
-        field.constant = std::abs(constant) <= height_noise(fans) ? constant : 0.0;
-        double const by = 1.0 / scale;
-        std::array<double, 4> const unit{1.0, by, by * by, by * by * by};
-        for (std::size_t k = 0; k < field.c.size(); ++k)
-            field.c[k] = (*solved)[k + 1] * unit[k < 2 ? 0 : k < 5 ? 1 : k < 9 ? 2 : 3];
-        return field;
-    }
-    return std::nullopt;
+    add_expectations(equations, doubt.scale);
+    std::size_t const independent = equations.reflect();
+    int degree = options.degree;
+    while (degree > 0 && unknowns_of(degree) > independent)
+        --degree;
+    if (degree == 0)
+        return std::nullopt;
+    Row const solved = equations.solution(unknowns_of(degree));
+    // the constant says how far the place lies off what all data tell: where rounding may have put it there,
+    // the surface follows the data, otherwise it keeps to the place
+    double const constant = solved[0] * size;
+    field.constant = std::abs(constant) <= height_noise(fans) ? constant : 0.0;
+    double unit = 1.0;
+    for (int sum = 1; sum <= degree; ++sum, unit /= size)
+        for (std::size_t k = unknowns_of(sum - 1); k < unknowns_of(sum); ++k)
+            field.c[k - 1] = solved[k] * unit;
+    return field;
 }
 
 } // namespace sahl
