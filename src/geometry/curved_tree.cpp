@@ -2,6 +2,7 @@
 
 #include "geometry/curved_query.h"
 #include "geometry/patch_cell.h"
+#include "geometry/patch_roots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,18 +73,32 @@ std::optional<CurvedCrossing> CurvedTree::meet(std::uint32_t triangle, dvec3 con
                                                Care const& care) const {
     Patch const& here = patch(triangle);
     bool const thorough = care.thorough || here.made.load(std::memory_order_relaxed) == Patch::uneven;
-    PatchCell const cell(here, reliefs_[triangle]);
-    auto const root = thorough ? cell.any_root(origin, direction, rises, care.overlap, from)
-                               : cell.root(origin, direction, rises, care.overlap);
-    if (!root)
-        return std::nullopt;
     CurvedCrossing crossing;
-    crossing.t = root->t;
-    crossing.point = origin + root->t * direction;
-    crossing.geometric = normalize(root->at.gradient);
-    crossing.normal = normalize(light_normal(here, root->at.v, root->at.w));
+    dvec3 outward;
+    if (thorough) {
+        PatchRoot const* first = nullptr;
+        PatchRoots const roots = roots_of(here, origin, direction, care.overlap);
+        for (PatchRoot const& root : roots)
+            if ((dot(root.outward, direction) > 0.0) == rises && root.t >= from &&
+                (!first || root.t < first->t))
+                first = &root;
+        if (!first)
+            return std::nullopt;
+        crossing.t = first->t;
+        crossing.uv = {first->v, first->w};
+        outward = first->outward;
+    } else {
+        auto const root = PatchCell(here, reliefs_[triangle]).root(origin, direction, rises, care.overlap);
+        if (!root)
+            return std::nullopt;
+        crossing.t = root->t;
+        crossing.uv = {root->at.v, root->at.w};
+        outward = root->at.gradient;
+    }
+    crossing.point = origin + crossing.t * direction;
+    crossing.geometric = normalize(outward);
+    crossing.normal = normalize(light_normal(here, crossing.uv.x, crossing.uv.y));
     crossing.slope = std::abs(dot(crossing.geometric, direction));
-    crossing.uv = {root->at.v, root->at.w};
     crossing.triangle = triangle;
     crossing.enters = !rises;
     return crossing;

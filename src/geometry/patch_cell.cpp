@@ -129,24 +129,6 @@ struct Walk {
         }
         return std::abs(here.above) <= 1e-12 * size;
     }
-
-    /// A root between two places where the sign differs, by Newton's method kept between them.
-    bool close_in(double low, double high, bool rises) {
-        for (int pass = 0; pass < 80; ++pass) {
-            (((here.above > 0.0) == rises) ? high : low) = t;
-            if (std::abs(here.above) <= 4e-16 * size || !(high - low > 4e-16 * std::abs(t)))
-                return true;
-            double next = t - here.above / slope;
-            if (pass > 30 || !(next > low && next < high))
-                next = 0.5 * (low + high);
-            if (next == t)
-                return true;
-            at(next);
-            if (std::isnan(here.above))
-                return false;
-        }
-        return true;
-    }
 };
 
 double size_of(Patch const& patch, dvec3 const& start) {
@@ -197,65 +179,6 @@ std::optional<PatchCell::Root> PatchCell::root(dvec3 const& origin, dvec3 const&
     if (!found || !holds(walk.here, slack))
         return std::nullopt;
     return Root{model->base + walk.t, walk.here};
-}
-
-std::optional<PatchCell::Root> PatchCell::any_root(dvec3 const& origin, dvec3 const& direction, bool rises,
-                                                   double slack, double from) const {
-    constexpr int samples = 24;
-    double const base = dot(patch_.corner - origin, direction) / dot(direction, direction);
-    dvec3 const start = origin + base * direction;
-    // the line's way through a box of the cell, grown by the slack and a little
-    Bounds box = box_of(patch_, relief_);
-    dvec3 const grown = dvec3((0.05 + slack) * length(box.high - box.low));
-    double low = from - base, high = INFINITY;
-    for (int axis = 0; axis < 3; ++axis) {
-        double const by = 1.0 / direction[axis];
-        double const one = (box.low[axis] - grown[axis] - start[axis]) * by,
-                     other = (box.high[axis] + grown[axis] - start[axis]) * by;
-        low = std::max(low, std::min(one, other));
-        high = std::min(high, std::max(one, other));
-    }
-    if (!(low < high) || !std::isfinite(high - low))
-        return std::nullopt;
-    Walk walk{*this, start, direction, size_of(patch_, start)};
-    walk.at(low);
-    std::optional<Root> found;
-    auto const bracket = [&](Walk const& left, Walk const& right) {
-        if (!((left.here.above > 0.0) != rises && (right.here.above > 0.0) == rises))
-            return false;
-        Walk inner = left;
-        inner.at(0.5 * (left.t + right.t));
-        if (std::isnan(inner.here.above) || !inner.close_in(left.t, right.t, rises) ||
-            !holds(inner.here, slack))
-            return false;
-        found = Root{base + inner.t, inner.here};
-        return true;
-    };
-    for (int i = 1; i <= samples; ++i) {
-        Walk const before = walk;
-        walk.at(low + (high - low) * i / samples);
-        if (std::isnan(before.here.above) || std::isnan(walk.here.above)) {
-            walk.here = {};
-            walk.at(walk.t);
-            continue;
-        }
-        if (bracket(before, walk))
-            return found;
-        // both on one side, with a turn between them that may reach the other
-        bool const positive = before.here.above > 0.0;
-        if (positive == (walk.here.above > 0.0) && (before.slope > 0.0) != positive &&
-            (walk.slope > 0.0) == positive) {
-            double left = before.t, right = walk.t;
-            Walk turn = before;
-            for (int pass = 0; pass < 40 && (turn.here.above > 0.0) == positive; ++pass) {
-                turn.at(0.5 * (left + right));
-                (((turn.slope > 0.0) == positive) ? right : left) = turn.t;
-            }
-            if ((turn.here.above > 0.0) != positive && (bracket(before, turn) || bracket(turn, walk)))
-                return found;
-        }
-    }
-    return std::nullopt;
 }
 
 } // namespace sahl

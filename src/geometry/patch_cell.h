@@ -32,11 +32,6 @@ class PatchCell {
     /// Where a line goes out of the body (rises) or into it, `slack` (a weight) outside the cell at most.
     std::optional<Root> root(dvec3 const& origin, dvec3 const& direction, bool rises, double slack) const;
 
-    /// The first such place at t ≥ from, whatever the surface's shape: from samples all along the line's way
-    /// through the cell. Slower.
-    std::optional<Root> any_root(dvec3 const& origin, dvec3 const& direction, bool rises, double slack,
-                                 double from) const;
-
   private:
     bool holds(CellPlace const& place, double slack) const;
 

@@ -224,6 +224,21 @@ struct Filler {
     }
 };
 
+/// Do the walls of a patch's cell stray so far from those that are upright that what the quadratic surface
+/// tells of a line does not hold?
+bool leans(Patch const& patch, Relief const& relief) {
+    dvec3 const flat = cross(patch.to_second, patch.to_third);
+    double const area = length(flat);
+    double longest = 0.0, sine = 0.0;
+    for (dvec3 const& side : {patch.to_second, patch.to_third, patch.to_third - patch.to_second})
+        longest = std::max(longest, length(side));
+    for (std::size_t k = 0; k < 3; ++k)
+        sine = std::max(sine, length(cross(patch.direction(k), flat)) / area);
+    double const height = std::max(-static_cast<double>(relief.low), static_cast<double>(relief.high));
+    constexpr double much = 0.05; // weight: a third of the margin that model_root has
+    return sine * height * longest > much * area;
+}
+
 } // namespace
 
 Patch::Made fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, Relief const& relief,
@@ -234,9 +249,9 @@ Patch::Made fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, R
     filler.fill_inside();
     filler.fill_tilts();
     constexpr double little = 0.02; // of the layer that the surface may lie in
-    return filler.strays <= little * (static_cast<double>(relief.high) - static_cast<double>(relief.low))
-               ? Patch::even
-               : Patch::uneven;
+    bool const near_quadratic =
+        filler.strays <= little * (static_cast<double>(relief.high) - static_cast<double>(relief.low));
+    return near_quadratic && !leans(patch, relief) ? Patch::even : Patch::uneven;
 }
 
 } // namespace sahl

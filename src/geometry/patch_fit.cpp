@@ -236,9 +236,11 @@ std::optional<Surroundings> patch_round(SmoothFans const& fans, std::uint32_t fa
     // a float height is off by an ulp of the coordinates, a normal by an ulp of one: files carry no better
     // ones
     double const fall = fall_of(data, turn);
-    return Surroundings{
-        size, std::move(data),
-        {0x1p-24, (fans.float_positions ? 0x1p-24 : 0x1p-50) * fans.reach / size, {turn, fall, options.degree}}};
+    return Surroundings{size,
+                        std::move(data),
+                        {0x1p-24,
+                         (fans.float_positions ? 0x1p-24 : 0x1p-50) * fans.reach / size,
+                         {turn, fall, options.degree}}};
 }
 
 } // namespace

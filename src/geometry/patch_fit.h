@@ -46,11 +46,11 @@ inline double HeightField::above(dvec3 const& point, dvec3& gradient) const {
 
 struct FitOptions {
     int degree = HeightField::degree; // 1 … that; lowered where the data do not carry it
-    bool slopes = true; // the fans' normals too, and not their places alone
+    bool slopes = true;               // the fans' normals too, and not their places alone
 };
 
-/// From two rings of neighbours or three, each datum weighted by how far it may be off. Nothing where not even a plane
-/// is determined.
+/// From two rings of neighbours or three, each datum weighted by how far it may be off. Nothing where not
+/// even a plane is determined.
 std::optional<HeightField> fit_at(SmoothFans const& fans, std::uint32_t fan, FitOptions const& options);
 
 } // namespace sahl
