@@ -68,6 +68,15 @@ double CurvedTree::bytes_per_triangle() const {
     return reliefs_.empty() ? 0.0 : bytes / triangles;
 }
 
+double CurvedTree::share_stood_in() const {
+    constexpr std::size_t sample = 4096;
+    std::size_t const stride = std::max<std::size_t>(1, reliefs_.size() / sample);
+    std::size_t looked_at = 0, stood_in = 0;
+    for (std::size_t t = 0; t < reliefs_.size(); t += stride, ++looked_at)
+        stood_in += patch(static_cast<std::uint32_t>(t)).stood_in;
+    return looked_at == 0 ? 0.0 : static_cast<double>(stood_in) / static_cast<double>(looked_at);
+}
+
 std::optional<CurvedCrossing> CurvedTree::meet(std::uint32_t triangle, dvec3 const& origin,
                                                dvec3 const& direction, bool rises, double from,
                                                Care const& care) const {

@@ -60,6 +60,10 @@ class CurvedTree {
     /// fitted.
     double bytes_per_triangle() const;
 
+    /// Share of triangles over which the quadratic surface, or a chord where there is no crease, stands in
+    /// for all or a part of what is fitted: of a few thousand spread over the mesh.
+    double share_stood_in() const;
+
     /// Asks for a patch ahead of its use.
     void prefetch(std::uint32_t triangle) const { patches_[triangle].prefetch(); }
     /// With heights and tilts, made when first asked for, by any thread.

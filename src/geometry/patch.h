@@ -25,8 +25,9 @@ struct alignas(64) Patch {
     Net<3> tilt_second{}, tilt_third{};               // m: the normal for light runs along
                                                       // to_second × to_third + Σ tilt · to_…
     enum Made : std::uint32_t { bare, even, uneven };
-    std::atomic<Made> made{bare}; // heights and tilts are there; uneven: far from the quadratic
-                                  // surface, or in a cell that leans much
+    std::atomic<Made> made{bare}; // heights and tilts are there; uneven: far from the quadratic surface,
+                                  // or in a cell that leans much
+    bool stood_in = false;        // the quadratic surface is there in part, where what was fitted strays
 
     dvec3 direction(std::size_t k) const {
         return {static_cast<double>(up[k][0]), static_cast<double>(up[k][1]), static_cast<double>(up[k][2])};

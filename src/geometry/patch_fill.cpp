@@ -63,7 +63,8 @@ struct Filler {
     Relief const& relief;
     CornerFields const& fields;
     PatchKind kind;
-    double strays = 0.0; // m: coefficients from those of the quadratic surface
+    double strays = 0.0;   // m: coefficients from those of the quadratic surface
+    bool stood_in = false; // the quadratic surface, for a polynomial that strays too far, or is none
 
     dvec3 flat(Weights const& w) const {
         return w[0] * patch.place(0) + w[1] * patch.place(1) + w[2] * patch.place(2);
@@ -114,6 +115,7 @@ struct Filler {
             for (std::size_t m = 0; m < 3; ++m)
                 if (!(std::abs(c[m] - model[m]) <= room)) {
                     c = model;
+                    stood_in = true;
                     break;
                 }
         }
@@ -164,8 +166,10 @@ struct Filler {
                 usable = usable && inner[n] >= static_cast<double>(relief.low) &&
                          inner[n] <= static_cast<double>(relief.high);
             }
-            if (!usable)
+            if (!usable) {
                 inner = model;
+                stood_in = true;
+            }
             for (std::size_t n = 0; n < 3; ++n)
                 strays = std::max(strays, std::abs(inner[n] - model[n]));
         }
@@ -248,6 +252,10 @@ Patch::Made fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, R
         filler.fill_side(k);
     filler.fill_inside();
     filler.fill_tilts();
+    for (std::size_t k = 0; k < 3; ++k)
+        filler.stood_in = filler.stood_in || !fields[k] ||
+                          (relief.has_chord(k) && (fans.triangles[triangle].creases >> k & 1) == 0);
+    patch.stood_in = kind != PatchKind::quadratic && filler.stood_in;
     constexpr double little = 0.02; // of the layer that the surface may lie in
     bool const near_quadratic =
         filler.strays <= little * (static_cast<double>(relief.high) - static_cast<double>(relief.low));

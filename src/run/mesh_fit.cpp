@@ -1,7 +1,7 @@
 #include "run/mesh_fit.h"
 
+#include "geometry/curved_tree.h"
 #include "geometry/data_steps.h"
-#include "geometry/smooth_fans.h"
 #include "run/values.h"
 
 #include <algorithm>
@@ -39,7 +39,8 @@ Value optional_value(std::optional<double> const& x) {
 }
 
 Table fit_of_data(Body const& body) {
-    SmoothFans const fans = smooth_fans(body.mesh);
+    CurvedTree const fitted(body.mesh, PatchKind::fitted);
+    SmoothFans const& fans = fitted.fans();
     DataSteps const steps = steps_of(body.mesh->soup.positions);
     double const millimetres = 1e3 * std::cbrt(std::abs(glm::determinant(body.to_world.linear)));
     double const step = steps.floats ? fans.reach * 0x1p-23 : steps.even;
@@ -48,7 +49,8 @@ Table fit_of_data(Body const& body) {
             {"normals", of(std::string(use_name(fans.normals)))},
             {"normals_off_rad", compared ? of(fans.normals_off) : nothing()},
             {"places_tell_rad", compared ? of(fans.positions_blur) : nothing()},
-            {"step_mm", of(step * millimetres)}};
+            {"step_mm", of(step * millimetres)},
+            {"quadratic_instead", of(fitted.share_stood_in())}};
 }
 
 void add_levels(Table& entry, MethodLevels const& found, double triangles, double tolerance, double floor) {

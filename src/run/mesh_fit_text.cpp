@@ -42,6 +42,12 @@ std::string fit_lines(std::string const& name, Value const& mesh, double share) 
         wrapped(plural(count_at(mesh, "triangles"), "triangle", "triangles") +
                     words(", places in steps of %.2g mm; ", number_at(mesh, "step_mm")) + normals_words(mesh),
                 "  " + name + ": ", "    ");
+    if (double const instead = number_at(mesh, "quadratic_instead"); instead > 0.0)
+        text +=
+            wrapped(words("fitted takes the quadratic surface over %.2g%% of the triangles, where it would "
+                          "stray",
+                          100.0 * instead),
+                    "    ", "      ");
     if (is_true(mesh, "loses_light"))
         return text + wrapped("the curved surface through them loses light, as that of a rough scan does: "
                               "nothing but the triangles is known",
