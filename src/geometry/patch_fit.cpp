@@ -1,5 +1,6 @@
 #include "geometry/patch_fit.h"
 
+#include "geometry/householder.h"
 #include "geometry/least_squares.h"
 
 #include <algorithm>
@@ -35,76 +36,8 @@ constexpr std::size_t unknowns_of(int degree) {
 }
 
 constexpr std::size_t most_unknowns = HeightField::terms + 1; // a constant, and HeightField's
-using Row = std::array<double, most_unknowns>;
-
-/// Σ a b in four chains, for speed.
-double sum_of_products(double const* a, double const* b, std::size_t size) {
-    std::array<double, 4> sum{};
-    std::size_t i = 0;
-    for (; i + 4 <= size; i += 4)
-        for (std::size_t lane = 0; lane < 4; ++lane)
-            sum[lane] += a[i + lane] * b[i + lane];
-    for (; i < size; ++i)
-        sum[0] += a[i] * b[i];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
-}
-
-/// Least squares by Householder's reflections, column by column: what is found for the first columns alone is
-/// there on the way.
-class LeastSquares {
-  public:
-    LeastSquares(std::size_t most_rows, std::size_t unknowns)
-        : stride_(most_rows), unknowns_(unknowns), columns_((unknowns + 1) * most_rows) {}
-
-    void add(Row const& row, double right, double weight) {
-        for (std::size_t k = 0; k < unknowns_; ++k)
-            column(k)[rows_] = weight * row[k];
-        column(unknowns_)[rows_++] = weight * right;
-    }
-
-    /// How many of the first columns are independent.
-    std::size_t reflect() {
-        constexpr double independent = 1e-4; // of columns of about the same length: far above rounding
-        for (std::size_t k = 0; k < unknowns_; ++k) {
-            if (k >= rows_)
-                return k;
-            double* const head = column(k) + k;
-            std::size_t const size = rows_ - k;
-            double const rest = sum_of_products(head, head, size),
-                         whole = rest + sum_of_products(column(k), column(k), k);
-            if (!(rest > independent * independent * whole))
-                return k;
-            double const norm = std::copysign(std::sqrt(rest), -*head);
-            *head -= norm; // Householder's vector; below its head the column itself
-            double const scale = -1.0 / (norm * *head);
-            for (std::size_t j = k + 1; j <= unknowns_; ++j) {
-                double* const other = column(j) + k;
-                double const by = scale * sum_of_products(head, other, size);
-                for (std::size_t i = 0; i < size; ++i)
-                    other[i] -= by * head[i];
-            }
-            *head = norm;
-        }
-        return unknowns_;
-    }
-
-    /// Of the first `unknowns` columns alone, which must be independent.
-    Row solution(std::size_t unknowns) {
-        Row x{};
-        for (std::size_t k = unknowns; k-- > 0;) {
-            double sum = column(unknowns_)[k];
-            for (std::size_t j = k + 1; j < unknowns; ++j)
-                sum -= column(j)[k] * x[j];
-            x[k] = sum / column(k)[k];
-        }
-        return x;
-    }
-
-  private:
-    double* column(std::size_t k) { return columns_.data() + k * stride_; }
-    std::size_t stride_, unknowns_, rows_ = 0;
-    std::vector<double> columns_;
-};
+using LeastSquares = Householder<most_unknowns>;
+using Row = LeastSquares::Row;
 
 enum class Of : std::uint8_t { height, slope_x, slope_y };
 
@@ -135,6 +68,9 @@ Row row_of(Of what, double x, double y) {
 struct Datum {
     double x, y, z, slope_x, slope_y, distance;
 };
+
+/// rad: a normal is off by a float's ulp of one; files carry no better ones.
+constexpr double normal_noise = 0x1p-24;
 
 /// How the surface departs from its tangent plane over the patch's radius.
 struct Scale {
@@ -198,7 +134,7 @@ double fall_of(std::vector<Datum> const& data, double turn) {
         }
         squares += x * x + y * y;
     }
-    double const off = std::sqrt(squares / static_cast<double>(data.size()));
+    double const off = std::sqrt(squares / static_cast<double>(data.size()) + normal_noise * normal_noise);
     constexpr double margin = 2.0, most = 0.5; // beyond it no series tells anything
     return std::min(margin * std::cbrt(off / turn), most);
 }
@@ -233,12 +169,11 @@ std::optional<Surroundings> patch_round(SmoothFans const& fans, std::uint32_t fa
                             -dot(at.normal, frame.x_axis) / nz, -dot(at.normal, frame.y_axis) / nz,
                             length(from)});
     }
-    // a float height is off by an ulp of the coordinates, a normal by an ulp of one: files carry no better
-    // ones
+    // a float height is off by an ulp of the coordinates
     double const fall = fall_of(data, turn);
     return Surroundings{size,
                         std::move(data),
-                        {0x1p-24,
+                        {normal_noise,
                          (fans.float_positions ? 0x1p-24 : 0x1p-50) * fans.reach / size,
                          {turn, fall, options.degree}}};
 }
