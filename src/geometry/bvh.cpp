@@ -67,12 +67,19 @@ struct Slabs {
     bool misses(Bounds const& box, double from, double to) const { return entry(box, from, to) == INFINITY; }
 };
 
+PatchKind patch_kind(Curving curving) {
+    return curving == Curving::quadratic ? PatchKind::quadratic
+           : curving == fitted_apart     ? PatchKind::apart
+                                         : PatchKind::fitted;
+}
+
 } // namespace
 
 Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std::make_unique<State>()) {
     MeshStore own; // instances share what is made of a mesh
     MeshStore& made = store ? *store : own;
     std::map<std::pair<Mesh const*, Curving>, std::shared_ptr<CurvedTree const>> curved;
+    std::map<std::pair<Mesh const*, Curving>, std::shared_ptr<CurvedSheet const>> curved_sheets;
     auto const meeting = [&](PlacedGeometry const& geometry) {
         MeshMeeting by;
         auto const* const mesh = std::get_if<std::shared_ptr<Mesh const>>(&geometry.geometry);
@@ -83,10 +90,7 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
         else if (mesh) {
             auto& one = curved[{mesh->get(), geometry.curving}];
             if (!one)
-                one = std::make_shared<CurvedTree const>(
-                    *mesh, geometry.curving == Curving::quadratic ? PatchKind::quadratic
-                           : geometry.curving == fitted_apart     ? PatchKind::apart
-                                                                  : PatchKind::fitted);
+                one = std::make_shared<CurvedTree const>(*mesh, patch_kind(geometry.curving));
             by.curved = one;
         }
         return by;
@@ -127,6 +131,23 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
     }
     if (some_recognised)
         state_->touch = Touching(state_->objects);
+    // an open mesh that touches nothing too, as the surface that it stands for
+    for (std::uint32_t i = 0; i < state_->objects.size(); ++i) {
+        PlacedGeometry const& geometry = state_->objects[i].geometry;
+        auto const* const mesh = std::get_if<std::shared_ptr<Mesh const>>(&geometry.geometry);
+        bool flat = !mesh || !geometry.open || geometry.curving == Curving::none;
+        for (std::uint32_t other = 0; !flat && other < state_->objects.size(); ++other)
+            flat = state_->touch.objects(i, other);
+        if (flat)
+            continue;
+        auto& sheet = curved_sheets[{mesh->get(), geometry.curving}];
+        if (!sheet)
+            sheet = std::make_shared<CurvedSheet const>(*mesh, patch_kind(geometry.curving));
+        MeshMeeting by;
+        by.curved_sheet = sheet;
+        PlacedGeometry kept = geometry;
+        state_->objects[i] = place(std::move(kept), std::move(by));
+    }
     if (state_->bounded.size() > few) {
         std::vector<Bounds> boxes;
         for (std::uint32_t object : state_->bounded)
@@ -382,6 +403,8 @@ std::vector<Bvh::Tangency> const& Bvh::tangencies() const {
 Curving Bvh::curving(std::uint32_t object) const {
     Placed const& placed = state_->objects[object];
     Curving const asked = placed.geometry.curving;
+    if (placed.geometry.open && !std::holds_alternative<std::shared_ptr<CurvedSheet const>>(placed.met_by))
+        return Curving::none;
     return is_recognition(asked) && placed.face_of_region.empty() ? Curving::fitted : asked;
 }
 

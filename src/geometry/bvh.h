@@ -18,7 +18,7 @@
 
 namespace sahl {
 
-/// How a closed mesh stands for a curved surface, beyond its triangles and their corners' normals.
+/// How a mesh stands for a curved surface, beyond its triangles and their corners' normals.
 enum class Curving : std::uint8_t { none, quadratic, fitted, recognised };
 
 struct PlacedGeometry {
@@ -118,7 +118,8 @@ class Bvh {
         dvec3 at;
     };
     std::vector<Tangency> const& tangencies() const;
-    /// How a mesh is met: what was not recognised, or touches something, is fitted.
+    /// How a mesh is met: what was not recognised, or touches something, is fitted; an open one that touches
+    /// something is not curved.
     Curving curving(std::uint32_t object) const;
 
     /// Meshes of float data whose vertices were moved onto what they touch, by no more than that data's

@@ -113,6 +113,12 @@ std::optional<CurvedCrossing> CurvedTree::meet(std::uint32_t triangle, dvec3 con
     return crossing;
 }
 
+std::optional<CurvedCrossing> CurvedTree::foot(std::uint32_t triangle, dvec3 const& place) const {
+    Patch const& here = patch(triangle);
+    dvec3 const normal = normalize(cross(here.to_second, here.to_third));
+    return meet(triangle, place, normal, true, -INFINITY, {false, overlap_of_cells, 0.0});
+}
+
 std::optional<CurvedCrossing> CurvedTree::nearest(dvec3 const& origin, dvec3 const& direction,
                                                   InsideShells inside, Reach reach, Care const& care) const {
     std::optional<CurvedCrossing> best;

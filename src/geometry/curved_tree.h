@@ -74,8 +74,12 @@ class CurvedTree {
         return patch;
     }
 
+    /// Where the line through a place along its triangle's normal meets the patch.
+    std::optional<CurvedCrossing> foot(std::uint32_t triangle, dvec3 const& place) const;
+
   private:
     friend class CurvedQuery;
+    friend class CurvedSheet;
     /// How a line is met with the patches that its boxes leave.
     struct Care {
         bool thorough = false; // by samples all along the line, whatever a patch is like

@@ -14,6 +14,7 @@ using Tree = std::shared_ptr<MeshTree const>;
 using Sheet = std::shared_ptr<MeshSheet const>;
 using Curved = std::shared_ptr<RevolvedSheet const>;
 using Patches = std::shared_ptr<CurvedTree const>;
+using OpenPatches = std::shared_ptr<CurvedSheet const>;
 
 /// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the
 /// world and back, and solving for t, round some ten times each; the rest is margin.
@@ -56,6 +57,10 @@ Placed place(PlacedGeometry geometry, MeshMeeting by) {
         if (by.curved) {
             box = {by.curved->box().low, by.curved->box().high};
             return by.curved;
+        }
+        if (by.curved_sheet) {
+            box = {by.curved_sheet->box().low, by.curved_sheet->box().high};
+            return by.curved_sheet;
         }
         if (by.tree || by.sheet) {
             Mesh const& mesh = by.tree ? by.tree->mesh() : by.sheet->mesh();
@@ -222,6 +227,25 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                 }
                 return answer.contradiction;
             },
+            [&](OpenPatches const& sheet) {
+                if (auto const c = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
+                    found = Candidate{c->t,
+                                      c->slope > 0.0
+                                          ? std::max(sheet->blur(ray.rounding) / c->slope, least_blur(ray))
+                                          : INFINITY,
+                                      0,
+                                      sheet->mesh().face_of(c->triangle),
+                                      static_cast<std::int32_t>(c->triangle),
+                                      c->uv,
+                                      c->normal,
+                                      true,
+                                      c->enters,
+                                      false,
+                                      false,
+                                      c->point,
+                                      c->geometric};
+                return INFINITY + 0.0;
+            },
             [&](Sheet const& sheet) {
                 if (auto const m = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
                     found = Candidate{m->t,
@@ -299,6 +323,10 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
             [&](Patches const& patches) {
                 in_each(patches->inside(ray.origin, ray.direction, ray.rounding));
             },
+            [&](OpenPatches const& sheet) {
+                if (auto const above = sheet->heads_above(ray.origin, ray.direction, ray.rounding))
+                    on(*above);
+            },
         },
         met_by);
 }
@@ -306,6 +334,8 @@ void Placed::start(dvec3 const& origin, dvec3 const& direction, std::uint32_t in
 bool Placed::lies_at(dvec3 const& point) const {
     LocalRay const ray = local(point, dvec3(0.0));
     if (Sheet const* const sheet = std::get_if<Sheet>(&met_by))
+        return (*sheet)->heads_above(ray.origin, ray.direction, ray.rounding).has_value();
+    if (OpenPatches const* const sheet = std::get_if<OpenPatches>(&met_by))
         return (*sheet)->heads_above(ray.origin, ray.direction, ray.rounding).has_value();
     if (Curved const* const curved = std::get_if<Curved>(&met_by))
         return std::abs((*curved)->distance(ray.origin)) <= ray.rounding;
@@ -342,6 +372,11 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                    [&](Solid const& solid) { facet = normal = solid.settle(candidate.face, point); },
                    [&](Curved const& curved) { facet = normal = curved->settle(point); },
                    [&](Patches const&) {
+                       point = candidate.point;
+                       facet = candidate.geometric;
+                       normal = candidate.normal;
+                   },
+                   [&](OpenPatches const&) {
                        point = candidate.point;
                        facet = candidate.geometric;
                        normal = candidate.normal;
@@ -448,6 +483,8 @@ Mesh const* Placed::mesh() const {
         return &(*sheet)->mesh();
     if (Patches const* const patches = std::get_if<Patches>(&met_by))
         return &(*patches)->mesh();
+    if (OpenPatches const* const sheet = std::get_if<OpenPatches>(&met_by))
+        return &(*sheet)->mesh();
     return nullptr;
 }
 

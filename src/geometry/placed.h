@@ -3,6 +3,7 @@
 
 #include "geometry/bvh.h"
 #include "geometry/contact.h"
+#include "geometry/curved_sheet.h"
 #include "geometry/curved_tree.h"
 #include "geometry/mesh_sheet.h"
 #include "geometry/mesh_tree.h"
@@ -34,7 +35,8 @@ struct Candidate {
 struct Placed {
     PlacedGeometry geometry;
     std::variant<Shape, Solid, std::shared_ptr<MeshTree const>, std::shared_ptr<MeshSheet const>,
-                 std::shared_ptr<RevolvedSheet const>, std::shared_ptr<CurvedTree const>>
+                 std::shared_ptr<RevolvedSheet const>, std::shared_ptr<CurvedTree const>,
+                 std::shared_ptr<CurvedSheet const>>
         met_by;                                  // a Shape here is open and flat
     std::vector<std::uint32_t> face_of_region{}; // of a mesh recognised as a solid: its faces, of the mesh's
     Affine to_local{};
@@ -101,6 +103,7 @@ struct MeshMeeting {
     std::shared_ptr<MeshTree const> tree{};
     std::shared_ptr<MeshSheet const> sheet{};
     std::shared_ptr<CurvedTree const> curved{};
+    std::shared_ptr<CurvedSheet const> curved_sheet{};
 };
 
 Placed place(PlacedGeometry geometry, MeshMeeting mesh);

@@ -99,9 +99,9 @@ Value mesh_fits(Scene& scene, WavelengthTable const& optics, Emission const& emi
                 TraceOptions const& options) {
     Table fits{{"tolerance_rad", of(options.tolerance)}};
     Table models;
-    std::vector<bool> const closed = closed_meshes(scene);
-    auto const groups = judged_together(scene, closed);
-    MethodPilots pilots(scene, optics, emission, options, closed);
+    std::vector<bool> const curvable = curvable_meshes(scene);
+    auto const groups = judged_together(scene, curvable);
+    MethodPilots pilots(scene, optics, emission, options, curvable);
     for (std::size_t g = 0; emission.rays() > 0 && g < groups.size(); ++g) {
         std::vector<std::size_t> const& bodies = groups[g];
         MethodLevels const found = pilots.levels(bodies);

@@ -9,8 +9,8 @@
 
 namespace sahl {
 
-/// For each closed mesh, bodies that touch taken together; keys in docs/check.md. The scene's geometry is
-/// changed: it is not to be traced after this.
+/// For each mesh that may be curved, bodies that touch taken together; keys in docs/check.md. The scene's
+/// geometry is changed: it is not to be traced after this.
 Value mesh_fits(Scene& scene, WavelengthTable const& optics, Emission const& emission,
                 TraceOptions const& options);
 

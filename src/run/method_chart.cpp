@@ -1,6 +1,7 @@
 #include "run/method_chart.h"
 
 #include "math/input_error.h"
+#include "run/method_levels.h"
 #include "run/path_errors.h"
 #include "run/values.h"
 #include "scene/scene_methods.h"
@@ -37,6 +38,7 @@ std::vector<Way> ways_of(Scene const& scene) {
                                                                  {Method::fitted, "fitted"},
                                                                  {Method::recognised, "recognised"}}};
     std::vector<Way> ways;
+    std::vector<bool> const curvable = curvable_meshes(scene);
     bool const normals = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](Body const& body) {
         return body.mesh && !body.mesh->soup.normals.empty();
     });
@@ -46,8 +48,7 @@ std::vector<Way> ways_of(Scene const& scene) {
         std::vector<BodyMethod> methods(scene.bodies.size());
         for (std::size_t i = 0; i < scene.bodies.size(); ++i)
             if (Body const& body = scene.bodies[i]; body.mesh)
-                methods[i] =
-                    !body.open && body.mesh->closed() ? body_method(method) : body_method(body.method);
+                methods[i] = curvable[i] ? body_method(method) : body_method(body.method);
         auto bvh = bvh_with(scene, methods);
         bool recognised = false;
         for (std::uint32_t i = 0; i < scene.bodies.size(); ++i)
@@ -87,13 +88,12 @@ void find_front(std::vector<MethodFigures>& methods) {
 MethodChart method_chart(ExperimentSource const& source, std::optional<ExperimentSource> const& exact) {
     Experiment const experiment = read_experiment(source.tree, source.file);
     Scene scene = build_scene(experiment);
-    bool const any = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](Body const& body) {
-        return body.mesh && !body.open && body.mesh->closed();
-    });
-    if (!any)
+    std::vector<bool> const curvable = curvable_meshes(scene);
+    if (std::find(curvable.begin(), curvable.end(), true) == curvable.end())
         throw InputError(source.file.string(),
-                         "has no object that is a closed mesh: there is nothing to choose between",
-                         "chart an experiment with a model that is closed");
+                         "has no object that is a closed mesh or a mirror of its own: there is nothing to "
+                         "choose between",
+                         "chart an experiment with a model that is closed, or open with a surface");
     WavelengthTable const optics(scene);
     Emission const emission(scene.sources, optics, experiment.trace.seed);
     std::vector<std::uint64_t> const rays = spread_rays(emission, rays_compared, 0.5);

@@ -19,7 +19,7 @@ bool has_smooth_normals(std::shared_ptr<Mesh const> const& mesh) {
 }
 
 std::vector<bool> curved_bodies(Scene const& scene) {
-    std::vector<bool> curved = closed_meshes(scene);
+    std::vector<bool> curved = curvable_meshes(scene);
     for (std::size_t i = 0; i < curved.size(); ++i)
         curved[i] = curved[i] && has_smooth_normals(scene.bodies[i].mesh);
     return curved;

@@ -33,11 +33,15 @@ bool loses_light(Trees const& trees) {
 
 } // namespace
 
-std::vector<bool> closed_meshes(Scene const& scene) {
-    std::vector<bool> closed;
+std::vector<bool> curvable_meshes(Scene const& scene) {
+    std::vector<bool> curvable;
     for (Body const& body : scene.bodies)
-        closed.push_back(body.mesh && !body.open && body.mesh->closed());
-    return closed;
+        curvable.push_back(body.mesh && (body.open || body.mesh->closed()));
+    for (auto const& [one, other] : scene.bvh->contacts())
+        for (FaceId const face : {one, other})
+            if (std::uint32_t const body = scene.faces[face.value].body.value; scene.bodies[body].open)
+                curvable[body] = false;
+    return curvable;
 }
 
 MethodPilots::MethodPilots(Scene& scene, WavelengthTable const& optics, Emission const& emission,

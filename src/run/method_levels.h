@@ -52,8 +52,8 @@ class MethodPilots {
     std::vector<bool> curved_;
 };
 
-/// Bodies that are closed meshes.
-std::vector<bool> closed_meshes(Scene const& scene);
+/// Bodies that are closed meshes, or open ones without an inside that touch nothing.
+std::vector<bool> curvable_meshes(Scene const& scene);
 
 /// The curved bodies, in groups that take one method: those that touch, since their boundary is in common;
 /// where that makes more than six, all of them.

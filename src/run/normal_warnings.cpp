@@ -50,10 +50,12 @@ std::string few_digits(Body const& body, SmoothFans const& fans) {
 /// A curved method was asked for, and the mesh is met by its triangles.
 std::string not_curved(Scene const& scene, Body const& body) {
     Method const asked = scene.mesh_method;
-    bool const curved = asked == Method::quadratic || asked == Method::fitted || asked == Method::recognised;
-    if (!curved || !body.mesh || (!body.open && body.mesh->closed()))
+    auto const is_curved = [](Method method) {
+        return method == Method::quadratic || method == Method::fitted || method == Method::recognised;
+    };
+    if (!is_curved(asked) || !body.mesh || is_curved(body.method))
         return {};
-    return body.name + (body.open ? ": an open mesh" : ": a mesh with holes") +
+    return body.name + (body.open ? ": an open mesh that touches something" : ": a mesh with holes") +
            " is not taken as curved; it is traced as " +
            (body.method == Method::interpolated ? "interpolated" : "facet") +
            ". For a curved mirror use a shape, or a closed body";
@@ -68,7 +70,7 @@ std::vector<std::string> normal_warnings(Scene const& scene) {
         if (std::string text = not_curved(scene, body); !text.empty())
             warnings.push_back(std::move(text));
         bool const meets_triangles = body.method == Method::facet || body.method == Method::automatic;
-        if (!body.mesh || body.open || !body.mesh->closed() || meets_triangles ||
+        if (!body.mesh || (!body.open && !body.mesh->closed()) || meets_triangles ||
             body.mesh->soup.normals.empty() || !told.try_emplace({body.mesh.get(), body.method}).second)
             continue;
         SmoothFans const fans = smooth_fans(body.mesh);

@@ -192,9 +192,9 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
     return parts;
 }
 
-Method object_method(Mesh const& mesh, Method asked) {
+Method object_method(Mesh const& mesh, bool open, Method asked) {
     Method const by_normals = mesh.soup.normals.empty() ? Method::facet : Method::interpolated;
-    if (asked == Method::facet || (curving_of(asked) != Curving::none && mesh.closed()))
+    if (asked == Method::facet || (curving_of(asked) != Curving::none && (open || mesh.closed())))
         return asked;
     return by_normals;
 }

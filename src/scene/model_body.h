@@ -33,8 +33,10 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
                                 MaterialBook& materials);
 
 /// Interpolated where the mesh has normals, unless the experiment asks for one method. A curved surface is
-/// that of a closed mesh: of another the vertices' normals are taken.
-Method object_method(Mesh const& mesh, Method asked);
+/// that of a closed mesh or of an open one without an inside: of a body with holes the vertices' normals are
+/// taken.
+///   open   a surface, no body
+Method object_method(Mesh const& mesh, bool open, Method asked);
 
 /// How the geometry meets a mesh that is traced by this method.
 Curving curving_of(Method method);

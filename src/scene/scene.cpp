@@ -6,6 +6,7 @@
 #include "scene/model_parts.h"
 #include "scene/model_picture.h"
 #include "scene/read_table.h"
+#include "scene/scene_methods.h"
 
 #include "math/input_error.h"
 
@@ -132,9 +133,11 @@ void Builder::add_part(ObjectSpec const& object, ModelPart const& part, Affine c
                        std::string const& name) {
     Mesh const& mesh = *part.mesh;
     ObjectId const body = next_body();
-    Method const method = object_method(mesh, scene.mesh_method);
+    Method const method = object_method(mesh, part.open, scene.mesh_method);
+    BodyMethod const by = body_method(method);
     geometries.push_back({part.mesh, to_world, next_face(), next_shell(), false,
-                          method == Method::interpolated, part.open, curving_of(method)});
+                          by.interpolate || (part.open && by.curving != Curving::none), part.open,
+                          by.curving});
     scene.bodies.push_back({name,
                             part.open,
                             part.medium.value_or(scene.surroundings),
@@ -182,9 +185,16 @@ Scene build_scene(Experiment const& experiment, ModelCache* cache) {
         builder.add_detector(experiment.detectors[i], {i});
     scene.meshes = builder.models.store();
     scene.bvh = std::make_unique<Bvh const>(std::move(builder.geometries), scene.meshes.get());
-    for (std::uint32_t i = 0; i < scene.bodies.size(); ++i)
-        if (scene.bodies[i].method == Method::recognised && scene.bvh->curving(i) == Curving::fitted)
-            scene.bodies[i].method = Method::fitted;
+    for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
+        Body& body = scene.bodies[i];
+        if (!body.mesh || curving_of(body.method) == Curving::none)
+            continue;
+        Curving const met = scene.bvh->curving(i);
+        if (met == Curving::none) // open, and it touches something
+            body.method = object_method(*body.mesh, body.open, Method::automatic);
+        else if (met == Curving::fitted)
+            body.method = Method::fitted;
+    }
     for (std::string& warning : overlap_warnings(scene))
         scene.warnings.push_back(std::move(warning));
     return std::move(builder.scene);

@@ -23,7 +23,8 @@ std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod con
         std::size_t shells = body.open ? 0 : 1;
         if (body.mesh) {
             placed.geometry = body.mesh;
-            placed.interpolate = methods[i].interpolate;
+            // an open one that touches something is met by its triangles
+            placed.interpolate = methods[i].interpolate || (body.open && methods[i].curving != Curving::none);
             placed.open = body.open;
             placed.curving = methods[i].curving;
             face.value += static_cast<std::uint32_t>(body.mesh->soup.face_names.size());

@@ -209,7 +209,7 @@ TEST_CASE("a seam that is open by the last bit of a float is said to be open, an
         soup.positions[i] *= 1.0 + 0x1p-23;
     Mesh const mesh = make_mesh(std::move(soup));
     CHECK(!mesh.closed());
-    CHECK(object_method(mesh, Method::fitted) == Method::interpolated);
+    CHECK(object_method(mesh, false, Method::fitted) == Method::interpolated);
     Lab lab;
     MediumId const glass = lab.medium(1.5);
     Scene const scene = with_meshes(build_scene(lab.experiment),

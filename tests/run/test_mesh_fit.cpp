@@ -42,7 +42,7 @@ Probe probe(std::shared_ptr<Mesh const> const& mesh, double tolerance) {
 
 MethodLevels levels_of(std::shared_ptr<Mesh const> const& mesh) {
     Probe p = probe(mesh, 1e-6);
-    return MethodPilots(p.scene, p.optics, p.emission, p.options, closed_meshes(p.scene)).levels({0});
+    return MethodPilots(p.scene, p.optics, p.emission, p.options, curvable_meshes(p.scene)).levels({0});
 }
 
 MethodLevel level(MethodLevels const& found, Method method) {
@@ -78,7 +78,7 @@ TEST_CASE("as many triangles as a check of fineness asks for bring a method to t
 TEST_CASE("what the digits of a fine ball leave open is what its fitted directions err by", "[curved]") {
     Probe p = probe(float_ball(radius, 40), 1e-8); // finer, and digits alone are left to err
     double const floor =
-        MethodPilots(p.scene, p.optics, p.emission, p.options, closed_meshes(p.scene)).floor_of({0});
+        MethodPilots(p.scene, p.optics, p.emission, p.options, curvable_meshes(p.scene)).floor_of({0});
     Lab lab;
     MediumId const glass = lab.medium(1.5);
     lab.body("body", Sphere{radius}, glass);
