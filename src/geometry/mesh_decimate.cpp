@@ -130,6 +130,15 @@ void measure_shells(Mesh& mesh) {
 
 } // namespace
 
+double stretch_of(Affine const& to_world) {
+    dmat3 const squared = glm::transpose(to_world.linear) * to_world.linear;
+    double most = 0.0; // no eigenvalue is above a row's sum
+    for (int row = 0; row < 3; ++row)
+        most =
+            std::max(most, std::abs(squared[0][row]) + std::abs(squared[1][row]) + std::abs(squared[2][row]));
+    return std::sqrt(most);
+}
+
 std::optional<Mesh> decimated(Mesh const& mesh, double tolerance) {
     double const size = length(mesh.high - mesh.low);
     if (!(size > 0.0))

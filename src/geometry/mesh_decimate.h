@@ -14,4 +14,7 @@ namespace sahl {
 /// no manifold.
 std::optional<Mesh> decimated(Mesh const& mesh, double tolerance);
 
+/// The most that a map makes longer, or a little more.
+double stretch_of(Affine const& to_world);
+
 } // namespace sahl

@@ -3,6 +3,7 @@
 #include "run/check_report.h"
 #include "run/check_words.h"
 #include "run/mesh_fit.h"
+#include "run/method_choice.h"
 #include "run/values.h"
 #include "scene/closeness.h"
 #include "scene/read_model.h"
@@ -107,6 +108,12 @@ Value check_experiment(ExperimentSource const& source, bool fit) {
         longest != wavelengths.end())
         for (std::string& warning : near_warnings(scene, *longest))
             remarks.warnings.push_back(std::move(warning));
+    Value fits = fit ? mesh_fits(scene, optics, emission, experiment.trace) : nothing();
+    bool const fewer = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                   [](Body const& body) { return body.decimate > 0.0; });
+    if (fewer || experiment.trace.decimate)
+        for (std::string& warning : settle_methods(scene, optics, emission, experiment.trace).warnings)
+            remarks.warnings.push_back(std::move(warning));
     Value models = models_value(scene, true, &remarks);
     Table report = head("experiment", experiment.title, source.file.string(), remarks);
     report.emplace_back("objects", objects_value(checked));
@@ -116,7 +123,7 @@ Value check_experiment(ExperimentSource const& source, bool fit) {
     report.emplace_back("media", media_value(checked));
     report.emplace_back("models", std::move(models));
     if (fit)
-        report.emplace_back("fit", mesh_fits(scene, optics, emission, experiment.trace));
+        report.emplace_back("fit", std::move(fits));
     return of(std::move(report));
 }
 

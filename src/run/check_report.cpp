@@ -40,7 +40,10 @@ Value object_value(Checked const& checked, std::uint32_t number) {
                 {"priority", Value{std::int64_t{body.priority}, {}}}};
     if (body.mesh) {
         auto const [centre, size] = box_of(*body.mesh, body.to_world);
-        entry.emplace_back("triangles", of(std::uint64_t{body.mesh->soup.triangles.size()}));
+        Mesh const& whole = body.decimated ? *body.decimated->whole : *body.mesh;
+        entry.emplace_back("triangles", of(std::uint64_t{whole.soup.triangles.size()}));
+        if (body.decimated)
+            entry.emplace_back("decimated", decimation_value(body));
         entry.emplace_back("centre_mm", of(centre, 1e3));
         entry.emplace_back("size_mm", of(size, 1e3));
     }

@@ -13,16 +13,6 @@ namespace sahl {
 
 namespace {
 
-/// The most that a map makes longer, or a little more: no eigenvalue is above a row's sum.
-double stretch_of(Affine const& to_world) {
-    dmat3 const squared = glm::transpose(to_world.linear) * to_world.linear;
-    double most = 0.0;
-    for (int row = 0; row < 3; ++row)
-        most =
-            std::max(most, std::abs(squared[0][row]) + std::abs(squared[1][row]) + std::abs(squared[2][row]));
-    return std::sqrt(most);
-}
-
 /// Of each mesh once, by the largest of its instances.
 std::vector<std::string> decimate_meshes(Scene& scene, double within) {
     std::map<std::shared_ptr<Mesh const>, double> stretch;

@@ -136,13 +136,23 @@ Value health_value(Mesh const& mesh, MeshHealth const& health, Affine const& to_
     });
 }
 
+Value decimation_value(Body const& body) {
+    Decimation const& by = *body.decimated;
+    return of(Table{{"triangles", of(std::uint64_t{body.mesh->soup.triangles.size()})},
+                    {"of", of(std::uint64_t{by.whole->soup.triangles.size()})},
+                    {"within_mm", of(by.within * 1e3)},
+                    {"turn_rad", of(by.turn)},
+                    {"sequence_changed", of(by.sequence_changed)}});
+}
+
 Value models_value(Scene const& scene, bool look_for_intersections, Remarks* remarks) {
     Table models;
     std::map<std::pair<Mesh const*, bool>, std::size_t> first; // of the same mesh, open or not: its entry
     for (Body const& body : scene.bodies) {
         if (!body.mesh)
             continue;
-        auto const [entry, is_new] = first.try_emplace({body.mesh.get(), body.open}, models.size());
+        auto const& mesh = body.decimated ? body.decimated->whole : body.mesh;
+        auto const [entry, is_new] = first.try_emplace({mesh.get(), body.open}, models.size());
         if (!is_new) {
             auto const& [name, like] = models[entry->second];
             models.emplace_back(body.name, of(Table{{"same_mesh_as", of(name)},
@@ -152,10 +162,10 @@ Value models_value(Scene const& scene, bool look_for_intersections, Remarks* rem
         }
         bool const known = scene.meshes && !look_for_intersections;
         MeshHealth const health =
-            known ? *scene.meshes->health(body.mesh) : health_of(*body.mesh, look_for_intersections);
-        models.emplace_back(body.name, health_value(*body.mesh, health, body.to_world));
+            known ? *scene.meshes->health(mesh) : health_of(*mesh, look_for_intersections);
+        models.emplace_back(body.name, health_value(*mesh, health, body.to_world));
         if (remarks)
-            remarks->add(health_remarks(body.name, *body.mesh, health, body.to_world, !body.open));
+            remarks->add(health_remarks(body.name, *mesh, health, body.to_world, !body.open));
     }
     return of(std::move(models));
 }

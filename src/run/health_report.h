@@ -27,6 +27,10 @@ Value health_value(Mesh const& mesh, MeshHealth const& health, Affine const& to_
 Remarks health_remarks(std::string const& name, Mesh const& mesh, MeshHealth const& health,
                        Affine const& to_world, bool body);
 
+/// Of one that is traced in fewer triangles: how many, of how many, how far what is left out lies off them,
+/// and how far that turns directions.
+Value decimation_value(Body const& body);
+
 /// Health by body. Each mesh is looked at once: of its instances the first has the report, in its own place,
 /// and the others say which that is. What there is to say of the meshes is added to `remarks`, if given.
 Value models_value(Scene const& scene, bool look_for_intersections, Remarks* remarks = nullptr);

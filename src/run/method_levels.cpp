@@ -68,7 +68,7 @@ std::optional<Trees> MethodPilots::trees(std::vector<std::size_t> const& bodies,
 
 MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
     MethodLevels found;
-    Trees const fitted = *trees(bodies, {false, Curving::fitted});
+    Trees fitted = *trees(bodies, {false, Curving::fitted});
     std::optional<Trees> whole = trees(bodies, {false, Curving::recognised});
     if (whole && loses_light(*whole))
         whole.reset();
@@ -76,7 +76,7 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
     found.loses_light = !fits && !whole;
     if (found.loses_light)
         return found;
-    Trees const* reference = nullptr;
+    Trees* reference = nullptr;
     double reference_bound = INFINITY, of_fitted = INFINITY;
     PathErrors apart;
     if (fits) {
@@ -132,7 +132,54 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
                                 errors.rms,
                                 method == Method::fitted ? apart.changed_share() : errors.changed_share()});
     }
+    if (reference)
+        found.reference = std::move(*reference);
+    found.reference_bound = reference_bound;
     return found;
+}
+
+void MethodPilots::swap_meshes(std::vector<std::size_t> const& bodies,
+                               std::vector<std::shared_ptr<Mesh const>>& meshes) {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        std::swap(scene_.bodies[bodies[i]].mesh, meshes[i]);
+}
+
+std::vector<MethodLevel> MethodPilots::levels_with(std::vector<std::size_t> const& bodies,
+                                                   std::vector<std::shared_ptr<Mesh const>> const& meshes,
+                                                   MethodLevels const& found) {
+    std::vector<std::shared_ptr<Mesh const>> others = meshes;
+    swap_meshes(bodies, others);
+    std::vector<MethodLevel> levels;
+    auto const add = [&](Method method) {
+        auto const met = trees(bodies, body_method(method));
+        if (!met || loses_light(*met))
+            return;
+        PathErrors const errors = compare_paths(*met, found.reference, true);
+        levels.push_back(
+            {method, margin * errors.tail() + found.reference_bound, errors.rms, errors.changed_share()});
+    };
+    add(Method::recognised);
+    for (Method const method : by_triangle)
+        add(method);
+    swap_meshes(bodies, others);
+    return levels;
+}
+
+PathErrors MethodPilots::moved_by(std::vector<std::size_t> const& bodies,
+                                  std::vector<std::shared_ptr<Mesh const>> const& meshes) {
+    std::vector<BodyMethod> methods;
+    for (Body const& body : scene_.bodies)
+        methods.push_back(body_method(body.method));
+    auto const trees_now = [&] {
+        scene_.bvh = bvh_with(scene_, methods);
+        return trees_of(scene_, optics_, emission_, options_, rays_);
+    };
+    Trees const before = trees_now();
+    std::vector<std::shared_ptr<Mesh const>> others = meshes;
+    swap_meshes(bodies, others);
+    PathErrors errors = compare_paths(trees_now(), before, true);
+    swap_meshes(bodies, others);
+    return errors;
 }
 
 double MethodPilots::floor_of(std::vector<std::size_t> const& bodies) {

@@ -5,6 +5,8 @@
 #include "run/path_errors.h"
 #include "scene/scene_methods.h"
 
+#include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct MethodLevels {
     std::vector<MethodLevel> levels;
     bool loses_light = false; // the curved surface through the mesh's data does, as through a scan's noise:
                               // then there are no bounds
+    Trees reference{};        // the pilots by the finest method,
+    double reference_bound = INFINITY; // rad, and what that errs by itself
 };
 
 /// Pilots of a scene whose curved meshes are fitted, but for those that are asked about.
@@ -34,6 +38,13 @@ class MethodPilots {
 
     bool curved(std::size_t body) const { return curved_[body]; }
     MethodLevels levels(std::vector<std::size_t> const& bodies);
+    /// The same of other meshes for these bodies, each method held against the finest that levels() found.
+    std::vector<MethodLevel> levels_with(std::vector<std::size_t> const& bodies,
+                                         std::vector<std::shared_ptr<Mesh const>> const& meshes,
+                                         MethodLevels const& found);
+    /// How far other meshes for these bodies move the pilots, all met as the scene has it.
+    PathErrors moved_by(std::vector<std::size_t> const& bodies,
+                        std::vector<std::shared_ptr<Mesh const>> const& meshes);
     /// What rounding to the digits that the files of these meshes have makes of directions (rad, RMS): how
     /// far they move when places and normals are moved by such steps.
     double floor_of(std::vector<std::size_t> const& bodies);
@@ -42,6 +53,8 @@ class MethodPilots {
 
   private:
     std::optional<Trees> trees(std::vector<std::size_t> const& bodies, BodyMethod method);
+    void swap_meshes(std::vector<std::size_t> const& bodies,
+                     std::vector<std::shared_ptr<Mesh const>>& meshes);
 
     Scene& scene_;
     WavelengthTable const& optics_;

@@ -5,7 +5,6 @@
 #include "report/page.h"
 #include "run/detector_files.h"
 #include "run/method_choice.h"
-#include "run/normal_warnings.h"
 #include "run/page_detectors.h"
 #include "run/polarisation_pilot.h"
 #include "run/summary.h"
@@ -102,11 +101,7 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
     RunFacts const facts{program_name(), experiment_sha256(source), source.set};
-    MethodChoice choice;
-    if (experiment.trace.method == Method::automatic)
-        choice = choose_methods(run.scene, optics, emission, experiment.trace);
-    else
-        choice.warnings = normal_warnings(run.scene);
+    MethodChoice choice = settle_methods(run.scene, optics, emission, experiment.trace);
     for (std::string& warning : choice.warnings)
         run.scene.warnings.push_back(std::move(warning));
 
@@ -153,8 +148,7 @@ OneRun drawn_again(ExperimentSource const& source, Experiment const& experiment,
     run.scene = build_scene(experiment, models);
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
-    if (experiment.trace.method == Method::automatic)
-        choose_methods(run.scene, optics, emission, experiment.trace);
+    settle_methods(run.scene, optics, emission, experiment.trace);
     run.summary = std::move(summary);
     if (auto const* failures = run.summary.find("failures"))
         for (Value const& failure : std::get<Array>(failures->data))

@@ -154,6 +154,8 @@ Value objects(Scene const& scene, MethodChoice const& choice) {
                                                        : nothing()}};
         if (chosen.bound)
             entry.emplace_back("sequence_changed", of(chosen.sequence_changed));
+        if (body.decimated)
+            entry.emplace_back("decimated", decimation_value(body));
         entry.emplace_back("medium", body.open ? nothing() : of(scene.media[body.medium.value].name));
         table.emplace_back(body.name, of(std::move(entry)));
     }

@@ -34,6 +34,7 @@ struct ModelReference {
     std::vector<std::string> parts; // empty or "*": all
     std::vector<MaterialMapping> materials;
     Place place;
+    double decimate = 0.0; // m in the world: it is traced in fewer triangles, no vertex farther off them
 };
 
 struct ObjectSpec {
@@ -144,6 +145,7 @@ struct TraceOptions {
 
 struct LogOptions {
     bool on = false;
+    bool decimate = false;    // with automatic: meshes are traced in as few triangles as the tolerance needs
     std::uint64_t every = 1;
     double min_power = 0.0; // share of the ray's power
     WrittenFilter where{};  // which paths, whole; min_power thins what is left

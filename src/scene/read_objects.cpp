@@ -81,6 +81,8 @@ ModelReference read_model(Fields const& fields, Names const& names) {
         for (Value const& part : std::get<Array>(fields.at("parts").data))
             model.parts.push_back(std::get<std::string>(part.data));
     model.materials = read_materials(fields, names);
+    if (fields.has("decimate_mm"))
+        model.decimate = 1e-3 * fields.number("decimate_mm");
     return model;
 }
 
@@ -148,7 +150,7 @@ ObjectSpec read_object(Value const& table, Names const& names, Groups const& gro
         object.what = read_model(fields, names);
         return object;
     }
-    for (auto const key : {"length_unit", "parts", "materials"})
+    for (auto const key : {"length_unit", "parts", "materials", "decimate_mm"})
         if (fields.has(key))
             throw InputError(fields.place(key).text(),
                              fields.called(key) + " is for models, and this is a shape", "leave it out");

@@ -56,6 +56,11 @@ TraceOptions read_trace(Value const& tree) {
     options.method = read_method(fields);
     options.tolerance = fields.number("tolerance_rad");
     options.tolerance_power = fields.number("tolerance_power");
+    options.decimate = fields.truth("decimate");
+    if (options.decimate && options.method != Method::automatic)
+        throw InputError(fields.place("decimate").text(),
+                         fields.called("decimate") + " goes by what auto knows of the tolerance",
+                         "leave `method` at \"auto\", or give an object decimate_mm");
     options.polarised = read_polarised(fields);
     options.seed = static_cast<std::uint64_t>(fields.integer("seed"));
     options.digits_lost = fields.truth("digits_lost");

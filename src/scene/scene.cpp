@@ -146,7 +146,8 @@ void Builder::add_part(ObjectSpec const& object, ModelPart const& part, Affine c
                             part.mesh,
                             method,
                             {},
-                            to_world});
+                            to_world,
+                            std::get<ModelReference>(object.what).decimate});
     for (std::size_t face = 0; face < mesh.soup.face_names.size(); ++face)
         scene.faces.push_back({name + "." + mesh.soup.face_names[face], body, part.surfaces[face]});
     for (std::size_t shell = 0; !part.open && shell < mesh.shells.size(); ++shell)

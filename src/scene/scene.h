@@ -16,6 +16,14 @@
 namespace sahl {
 
 /// One geometry of the BVH: an object of the experiment, an instance of a model's node, or a detector.
+/// Of a mesh that is traced in fewer triangles than its file has.
+struct Decimation {
+    std::shared_ptr<Mesh const> whole; // as in the file
+    double within = 0.0;               // m, world: no vertex left out lies farther off the triangles left
+    double turn = 0.0;                 // rad: how far that moves directions, by pilots
+    double sequence_changed = 0.0;     // share of the pilots that meet other events then
+};
+
 struct Body {
     std::string name; // "prism", "bunny", "bunny.body" where a model has several
     bool open = false;
@@ -26,6 +34,8 @@ struct Body {
     Method method = Method::automatic; // automatic: exact
     std::optional<Shape> shape{};      // where it is exact; neither shape nor mesh: unknown
     Affine to_world{};                 // of shape or mesh
+    double decimate = 0.0;             // m, asked for by name
+    std::optional<Decimation> decimated{};
 };
 
 struct Shell {
