@@ -4,6 +4,7 @@
 #include "run/check_words.h"
 #include "run/mesh_fit.h"
 #include "run/method_choice.h"
+#include "run/pilots.h"
 #include "run/values.h"
 #include "scene/closeness.h"
 #include "scene/read_model.h"
@@ -114,6 +115,13 @@ Value check_experiment(ExperimentSource const& source, bool fit) {
     if (fewer || experiment.trace.decimate)
         for (std::string& warning : settle_methods(scene, optics, emission, experiment.trace).warnings)
             remarks.warnings.push_back(std::move(warning));
+    Pilots const pilots = send_pilots(scene, optics, emission, experiment.trace);
+    if (pilots.polarisation)
+        for (std::string& warning :
+             polarisation_warnings(*pilots.polarisation, experiment.trace.tolerance_power))
+            remarks.warnings.push_back(std::move(warning));
+    for (std::string& note : dispersion_notes(pilots.dispersion, experiment.trace.tolerance))
+        remarks.notes.push_back(std::move(note));
     Value models = models_value(scene, true, &remarks);
     Table report = head("experiment", experiment.title, source.file.string(), remarks);
     report.emplace_back("objects", objects_value(checked));
@@ -122,6 +130,7 @@ Value check_experiment(ExperimentSource const& source, bool fit) {
     report.emplace_back("contacts", contacts_value(scene));
     report.emplace_back("media", media_value(checked));
     report.emplace_back("models", std::move(models));
+    report.emplace_back("pilots", pilots_value(pilots));
     if (fit)
         report.emplace_back("fit", std::move(fits));
     return of(std::move(report));

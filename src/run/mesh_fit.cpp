@@ -144,7 +144,7 @@ std::vector<SourceSpec> probing_beams(Scene const& scene) {
                                { helium_d_line, 1.0 }
                            },
                            1.0,
-                           false,
+                           {},
                            {}});
     }
     return sources;

@@ -6,7 +6,6 @@
 #include "run/detector_files.h"
 #include "run/method_choice.h"
 #include "run/page_detectors.h"
-#include "run/polarisation_pilot.h"
 #include "run/summary.h"
 #include "run/unfinished.h"
 
@@ -107,8 +106,10 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
 
     for (std::string& warning : unclosed_warnings(run.scene))
         run.scene.warnings.push_back(std::move(warning));
-    if (experiment.trace.polarised == Polarised::automatic)
-        for (std::string& warning : polarisation_warnings(run.scene, optics, emission, experiment.trace))
+    Pilots const pilots = send_pilots(run.scene, optics, emission, experiment.trace);
+    if (pilots.polarisation)
+        for (std::string& warning :
+             polarisation_warnings(*pilots.polarisation, experiment.trace.tolerance_power))
             run.scene.warnings.push_back(std::move(warning));
 
     run.names = log_header(source, experiment, run.scene, optics, emission, facts);
@@ -128,7 +129,7 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         log->close();
     for (std::string& warning : hole_warnings(run.scene, outcome.holes))
         run.scene.warnings.push_back(std::move(warning));
-    run.summary = summary_of(experiment, run.scene, optics, outcome, facts, choice);
+    run.summary = summary_of(experiment, run.scene, optics, outcome, facts, choice, pilots);
     run.failures = failures_of(experiment, outcome);
     if (!writes)
         return run;

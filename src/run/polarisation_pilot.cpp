@@ -1,112 +1,101 @@
 #include "run/polarisation_pilot.h"
 
-#include "optics/snell.h"
+#include "run/path_errors.h"
 #include "run/trace_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace sahl {
 
 namespace {
 
-constexpr std::uint64_t pilot_rays = 256;
+constexpr std::uint64_t most_pilots = 4096, pilots_of_a_source = 256, fewest_of_a_source = 16;
 
-/// What s and p carry beyond their mean share: 1 and 1 for light that no surface has sorted.
-struct Weights {
-    double s = 1.0, p = 1.0;
-};
+/// Powers by what they arrive at, in a fixed order.
+using Powers = std::map<std::string, double>;
 
-Weights times(Weights const& weights, double share_s, double share_p) {
-    double const mean = 0.5 * (share_s + share_p);
-    return mean > 0.0 ? Weights{weights.s * share_s / mean, weights.p * share_p / mean} : weights;
+void add_detected(Powers& powers, Scene const& scene, BatchResult const& result, double weight) {
+    for (DetectorHit const& hit : result.hits)
+        powers["detector " + scene.detectors[hit.detector.value].name] += weight * hit.power;
 }
 
-/// The weights of a child, from its parent's and from what the surface between them does to s and p.
-Weights passed_on(Scene const& scene, WavelengthTable const& optics, WavelengthId wavelength,
-                  Segment const& parent, Segment const& child, Segment const* through,
-                  Weights const& weights) {
-    if (parent.surface < 0 || (child.born != Event::refracted && child.born != Event::reflected))
-        return weights;
-    auto const& surface = scene.faces[static_cast<std::size_t>(parent.surface)].surface;
-    double const n = optics.index({parent.medium}, wavelength);
-    bool const boundary = !surface || std::holds_alternative<Tinted>(scene.surfaces[surface->value].kind);
-    if (boundary && through) {
-        double const n_through = optics.index({through->medium}, wavelength);
-        dvec3 const step =
-            n * parent.direction - n_through * through->direction; // along the normal, by Snell
-        double const size = length(step);
-        if (size == 0.0)
-            return weights;
-        dvec3 const normal = step * ((dot(step, parent.direction) > 0.0 ? -1.0 : 1.0) / size);
-        auto const shares = fresnel_dielectric(Approach(parent.direction, normal).incidence, n, n_through);
-        if (!shares)
-            return weights;
-        return child.born == Event::refracted ? times(weights, shares->t_s, shares->t_p)
-                                              : times(weights, shares->r_s, shares->r_p);
-    }
-    if (surface && std::holds_alternative<Metal>(scene.surfaces[surface->value].kind)) {
-        dvec3 const normal = normalize(child.direction - parent.direction);
-        FresnelShares const shares = fresnel_metal(Approach(parent.direction, normal).incidence, n,
-                                                   optics.metal(*surface, wavelength));
-        return times(weights, shares.r_s, shares.r_p);
-    }
-    return weights;
+void add_lost(Powers& powers, Scene const& scene, BatchResult const& result, double weight) {
+    Tally const& tally = result.tally;
+    auto const add = [&](std::string const& what, ExactSum const& sum) {
+        if (sum != ExactSum{})
+            powers[what] += weight * sum.value(tally.unit);
+    };
+    for (std::size_t face = 0; face < scene.faces.size(); ++face)
+        add("light that is absorbed at " + scene.faces[face].name, tally.absorbed_at_face[face]);
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+        add("light that is absorbed in " + scene.bodies[body].name, tally.absorbed_in_body[body]);
+    std::vector<Segment> const& tree = result.log.segments;
+    for (Segment const& segment : tree)
+        if (segment.ended == Event::escaped && segment.parent >= 0) {
+            auto const face =
+                static_cast<std::size_t>(tree[static_cast<std::size_t>(segment.parent)].surface);
+            powers["light that escapes " + std::string(name_of(segment.born)) + " at " +
+                   scene.faces[face].name] += weight * segment.power_end;
+        }
 }
 
 } // namespace
 
-std::vector<double> polarisation_shift(Scene const& scene, WavelengthTable const& optics,
-                                       Emission const& emission, TraceOptions const& options) {
+std::vector<PolarisationMove> polarisation_moves(Scene const& scene, WavelengthTable const& optics,
+                                                 Emission const& emission, TraceOptions const& options) {
+    if (emission.rays() == 0)
+        return {};
     TraceOptions split = options;
     split.branch = BranchPolicy::split;
     // roulette may go down to branches that are too many to split; below the tolerance they move little
     split.min_power = std::max(options.min_power, 0.1 * options.tolerance_power);
-    TraceContext const context{scene, optics, emission, split, power_unit(emission), 1};
-    std::vector<double> mean(scene.detectors.size()), apart(scene.detectors.size());
-    std::uint64_t const rays = std::min(pilot_rays, emission.rays());
-    for (std::uint64_t i = 0; i < rays; ++i) {
-        std::vector<Segment> const tree = trace_batch(context, emission.rays() * i / rays, 1).log.segments;
-        std::vector<Segment const*> through(tree.size(), nullptr); // by parent: the branch that was refracted
-        for (Segment const& segment : tree)
-            if (segment.born == Event::refracted)
-                through[static_cast<std::size_t>(segment.parent)] = &segment;
-        std::vector<Weights> weights(tree.size());
-        for (std::size_t row = 0; row < tree.size(); ++row) {
-            Segment const& segment = tree[row];
-            if (segment.parent >= 0) {
-                auto const parent = static_cast<std::size_t>(segment.parent);
-                weights[row] = passed_on(scene, optics, optics.id_of(segment.wavelength), tree[parent],
-                                         segment, through[parent], weights[parent]);
-            }
-            if (segment.ended != Event::detected && segment.ended != Event::passed)
-                continue;
-            Face const& face = scene.faces[static_cast<std::size_t>(segment.surface)];
-            auto const detector = scene.bodies[face.body.value].detector->value;
-            mean[detector] += segment.power_end;
-            apart[detector] += segment.power_end * 0.5 * (weights[row].s + weights[row].p);
-        }
+    PathFilters const filters = path_filters(scene, {});
+    TraceContext mean{scene, optics, emission, split, power_unit(emission), 1};
+    mean.filters = filters.at_detectors ? &filters : nullptr;
+    TraceContext apart = mean;
+    apart.polarised = true;
+
+    auto const& first = emission.first_rays();
+    std::uint64_t const each = std::clamp(most_pilots / std::max<std::uint64_t>(1, first.size() - 1),
+                                          fewest_of_a_source, pilots_of_a_source);
+    Powers as_traced, kept_apart;
+    auto const add = scene.detectors.empty() ? add_lost : add_detected;
+    std::size_t source = 0;
+    for (std::uint64_t const ray : spread_rays(emission, each, 0.5)) {
+        while (ray >= first[source + 1])
+            ++source;
+        std::uint64_t const all = first[source + 1] - first[source];
+        double const weight = static_cast<double>(all) / static_cast<double>(std::min(all, each));
+        add(as_traced, scene, trace_batch(mean, ray, 1), weight);
+        add(kept_apart, scene, trace_batch(apart, ray, 1), weight);
     }
-    std::vector<double> shift;
-    for (std::size_t d = 0; d < mean.size(); ++d)
-        shift.push_back(mean[d] > 0.0 ? std::abs(apart[d] - mean[d]) / mean[d] : 0.0);
-    return shift;
+    for (auto const& [what, power] : kept_apart)
+        as_traced.try_emplace(what, 0.0);
+    std::vector<PolarisationMove> moves;
+    for (auto const& [what, power] : as_traced) {
+        auto const found = kept_apart.find(what);
+        double const other = found != kept_apart.end() ? found->second : 0.0;
+        double const whole = scene.detectors.empty() ? emission.power() : power;
+        moves.push_back({what, power, other, whole > 0.0 ? (other - power) / whole : 0.0});
+    }
+    return moves;
 }
 
-std::vector<std::string> polarisation_warnings(Scene const& scene, WavelengthTable const& optics,
-                                               Emission const& emission, TraceOptions const& options) {
+std::vector<std::string> polarisation_warnings(std::vector<PolarisationMove> const& moves, double tolerance) {
     std::vector<std::string> warnings;
-    std::vector<double> const shift = polarisation_shift(scene, optics, emission, options);
-    for (std::size_t d = 0; d < shift.size(); ++d)
-        if (shift[d] > options.tolerance_power) {
-            char text[240];
-            std::snprintf(text, sizeof text,
-                          "detector %s: with s and p kept apart its power would move by about %.2g %% "
-                          "(tolerance_power is "
-                          "%.2g %%); this version takes their mean at each surface",
-                          scene.detectors[d].name.c_str(), 100.0 * shift[d], 100.0 * options.tolerance_power);
-            warnings.emplace_back(text);
+    for (PolarisationMove const& move : moves)
+        if (std::abs(move.share) > tolerance) {
+            char text[300];
+            std::snprintf(
+                text, sizeof text,
+                ": with s and p kept apart its power would %s by about %.2g %%%s (tolerance_power is "
+                "%.2g %%); this version takes their mean at each surface",
+                move.share > 0.0 ? "rise" : "fall", 100.0 * std::abs(move.share),
+                move.what.starts_with("detector") ? "" : " of what is emitted", 100.0 * tolerance);
+            warnings.push_back(move.what + text);
         }
     return warnings;
 }

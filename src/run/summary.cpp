@@ -246,7 +246,8 @@ Value options_of(Experiment const& experiment, RunFacts const& facts) {
 }
 
 Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTable const& optics,
-                 TraceOutcome const& outcome, RunFacts const& facts, MethodChoice const& choice) {
+                 TraceOutcome const& outcome, RunFacts const& facts, MethodChoice const& choice,
+                 Pilots const& pilots) {
     Tally const& tally = outcome.tally;
     SumUnit const unit = tally.unit;
     std::uint64_t const segments = tally.segments();
@@ -287,6 +288,7 @@ Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTab
         {"objects", objects(scene, choice)},
         {"models", models_value(scene, false)},
         {"digits_lost", digits_lost(experiment, outcome.digits)},
+        {"pilots", pilots_value(pilots)},
         {"warnings", of(warnings_of(experiment, scene, outcome))},
     });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run/method_choice.h"
+#include "run/pilots.h"
 #include "run/trace_scene.h"
 #include "scene/value.h"
 
@@ -21,7 +22,8 @@ struct RunFacts {
 std::vector<std::string> failures_of(Experiment const& experiment, TraceOutcome const& outcome);
 
 Value summary_of(Experiment const& experiment, Scene const& scene, WavelengthTable const& optics,
-                 TraceOutcome const& outcome, RunFacts const& facts, MethodChoice const& choice = {});
+                 TraceOutcome const& outcome, RunFacts const& facts, MethodChoice const& choice = {},
+                 Pilots const& pilots = {});
 
 /// The options that were in force, as in the summary.
 Value options_of(Experiment const& experiment, RunFacts const& facts);

@@ -25,7 +25,8 @@ bool is_time(std::string const& key) {
 void flatten(Value const& value, std::string const& path, Figures& out) {
     if (auto const* const table = std::get_if<Table>(&value.data)) {
         for (auto const& [key, entry] : *table)
-            if (!is_time(key) && key != "options" && key != "seed" && key != "models" && key != "lost_rays")
+            if (!is_time(key) && key != "options" && key != "seed" && key != "models" && key != "lost_rays" &&
+                key != "pilots")
                 flatten(entry, path.empty() ? key : path + "." + key, out);
     } else if (auto const* const array = std::get_if<Array>(&value.data)) {
         for (std::size_t i = 0; i < array->size(); ++i)

@@ -81,12 +81,17 @@ struct ExplicitRays {
     std::vector<RaySpec> rays;
 };
 
+struct Polarisation {
+    dvec3 stokes{0.0}; // S1, S2, S3 over S0, of length ≤ 1; S3 > 0 is right-handed seen by the receiver
+    dvec3 axis{0.0};   // unit: S1 is positive along its part across a ray
+};
+
 struct SourceSpec {
     std::string name;
     std::variant<Beam, PointEmitter, LambertianEmitter, ExplicitRays> emitter;
     std::vector<std::pair<double, double>> wavelengths; // m in standard air, weight > 0
     double power = 1.0;                                 // W, of the whole source
-    bool polarised = false;                             // the file gives a Stokes vector
+    std::optional<Polarisation> polarisation{};         // none: unpolarised
     Place place;
 };
 
@@ -140,12 +145,12 @@ struct TraceOptions {
     double tolerance_power = 1e-3; // share
     Polarised polarised = Polarised::automatic;
     std::uint64_t seed = 1;
+    bool decimate = false;    // with automatic: meshes are traced in as few triangles as the tolerance needs
     bool digits_lost = false; // each path's loss of digits is followed
 };
 
 struct LogOptions {
     bool on = false;
-    bool decimate = false;    // with automatic: meshes are traced in as few triangles as the tolerance needs
     std::uint64_t every = 1;
     double min_power = 0.0; // share of the ray's power
     WrittenFilter where{};  // which paths, whole; min_power thins what is left

@@ -56,7 +56,8 @@ constexpr Key trace_keys[] = {
      "with auto, true: a mesh far finer than tolerance_rad needs is traced in fewer triangles"},
     {"tolerance_power", Kind::number, 1e-3, "with auto: the share of a detector's power that is borne",
      above_zero},
-    {"polarised", Kind::any, "auto", "\"auto\" or false; true is refused until polarised tracing exists"},
+    {"polarised", Kind::any, "auto",
+     "\"auto\": pilots tell where it would matter, or false; true is refused until polarised tracing exists"},
     {"seed", Kind::integer, 1.0, "of all random numbers", {0.0, largest_seed}},
     {"digits_lost", Kind::truth, false,
      "true: the summary and the log tell how many of the sixteen digits each path has lost, as rounding "

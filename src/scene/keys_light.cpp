@@ -40,7 +40,7 @@ constexpr Key source_keys[] = {
     {"polarisation",
      Kind::table,
      {},
-     "absent: unpolarised; ignored, with a warning, until polarised tracing exists"},
+     "absent: unpolarised; what pilots are told, for a warning by how much it would matter"},
 };
 
 constexpr Key beam_keys[] = {

@@ -62,14 +62,6 @@ void warn_of_metals(Experiment& experiment, Value const* definitions,
     }
 }
 
-void warn_of_polarisation(Experiment& experiment) {
-    for (SourceSpec const& source : experiment.sources)
-        if (source.polarised && experiment.trace.polarised == Polarised::automatic)
-            experiment.warnings.push_back(source.place.text() + ": the polarisation of source \"" +
-                                          source.name +
-                                          "\" is ignored, since polarised tracing does not exist yet");
-}
-
 } // namespace
 
 void need_sources(Experiment const& experiment) {
@@ -114,7 +106,6 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     std::vector<double> const wavelengths = all_wavelengths(experiment.sources);
     experiment.warnings = check_media(media, wavelengths);
     warn_of_metals(experiment, tree.find("surface"), wavelengths);
-    warn_of_polarisation(experiment);
     experiment.sweep = read_sweep(tree);
     experiment.goal = read_goal(tree);
     check_steps(tree, experiment);

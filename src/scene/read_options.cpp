@@ -29,7 +29,7 @@ Polarised read_polarised(Fields const& fields) {
                          "give \"auto\" or false");
     if (*truth)
         throw InputError(value.place.text(), "polarised tracing does not exist yet",
-                         "give \"auto\" or false");
+                         "give \"auto\", which tells by how much each detector's power would move, or false");
     return Polarised::no;
 }
 

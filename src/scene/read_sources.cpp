@@ -78,14 +78,15 @@ LambertianEmitter read_lambertian(Value const& table, Affine const& group) {
     return emitter;
 }
 
-void check_polarisation(Value const& table) {
+Polarisation read_polarisation(Value const& table, Affine const& group) {
     Fields const fields(table, keys::polarisation);
     auto const s = fields.numbers("stokes");
     if (!(s[0] > 0.0) ||
         std::hypot(s[1], s[2], s[3]) > s[0] * (1.0 + 1e-12)) // twelve digits may have been written
         throw InputError(fields.place("stokes").text(), "no light has this Stokes vector",
                          "make S0 above 0 and √(S1² + S2² + S3²) at most S0");
-    read_direction(fields, "axis", {});
+    dvec3 const stokes = dvec3(s[1], s[2], s[3]) / s[0];
+    return {stokes / std::max(1.0, length(stokes)), read_direction(fields, "axis", group)};
 }
 
 /// Where the experiment says nothing of wavelengths, a ray file may.
@@ -129,9 +130,8 @@ SourceSpec read_source(Value const& table, Groups const& groups, std::filesystem
         use_wavelengths_of(*list_of_rays, fields, source);
     if (fields.has("power_W"))
         source.power = fields.number("power_W");
-    source.polarised = fields.has("polarisation");
-    if (source.polarised)
-        check_polarisation(fields.at("polarisation"));
+    if (fields.has("polarisation"))
+        source.polarisation = read_polarisation(fields.at("polarisation"), group);
     return source;
 }
 

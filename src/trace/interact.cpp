@@ -187,7 +187,9 @@ Branches interact(Scene const& scene, WavelengthTable const& optics, Interface c
     if (dot(direction, interface.normal) < 0.0)
         if (Branches branches = with(interface.normal); keeps_sides(branches, interface.facet_normal))
             return branches;
-    return with(interface.facet_normal);
+    Branches branches = with(interface.facet_normal);
+    branches.by_facet = true;
+    return branches;
 }
 
 } // namespace sahl

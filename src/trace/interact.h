@@ -22,6 +22,7 @@ struct Branches {
     InlineVector<Outgoing, 2> outgoing;
     double absorbed = 0.0;
     Event ended = Event::none;
+    bool by_facet = false; // the interface's facet_normal held, where its normal would have sent light astray
 };
 
 /// Random numbers for one interaction; only a diffuse surface draws.

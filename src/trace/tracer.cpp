@@ -2,6 +2,7 @@
 
 #include "math/random.h"
 #include "trace/branch.h"
+#include "trace/sort_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,13 +88,15 @@ class Grove {
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
     std::vector<Branch> generation_, next_generation_;
-    std::vector<Spread> spreads_, next_spreads_; // of the same, where digits lost are asked for
-    Spread spread_;                              // at the end of the segment that is traced now
-    double extent_ = 0.0;                        // m, the scene's largest coordinate, then too
-    Bend bend_;                                  // where it ends
-    std::vector<Segment> segments_, by_ray_;     // as they end; as the log has them
-    std::vector<std::size_t> place_;             // by ray: where its segments end in by_ray_
-    std::vector<std::uint32_t> hit_segments_;    // of each hit of this group: where its path ends
+    std::vector<PolarisedLight> lights_, next_lights_; // of the same, where s and p are kept apart
+    std::vector<Spread> spreads_, next_spreads_;       // of the same, where digits lost are asked for
+    Spread spread_;                                    // at the end of the segment that is traced now
+    double extent_ = 0.0;                              // m, the scene's largest coordinate, then too
+    Bend bend_;                                        // where it ends
+    SortedLight sorted_;                               // what leaves there
+    std::vector<Segment> segments_, by_ray_;           // as they end; as the log has them
+    std::vector<std::size_t> place_;                   // by ray: where its segments end in by_ray_
+    std::vector<std::uint32_t> hit_segments_;          // of each hit of this group: where its path ends
     std::vector<Segment> selected_;
 };
 
@@ -103,6 +106,7 @@ void Grove::begin(std::uint64_t first, std::size_t count) {
     next_index_.assign(count, 0);
     generation_.clear();
     spreads_.clear();
+    lights_.clear();
 }
 
 void Grove::grow(std::uint64_t first, std::span<Ray const> rays) {
@@ -139,6 +143,8 @@ void Grove::grow_generations() {
         next_generation_.clear();
         std::swap(spreads_, next_spreads_);
         next_spreads_.clear();
+        std::swap(lights_, next_lights_);
+        next_lights_.clear();
         if (watch_)
             watch_->next_generation();
     }
@@ -217,6 +223,8 @@ void Grove::plant(Ray const& ray) {
     generation_.push_back(root);
     if (context_.options.digits_lost)
         spreads_.emplace_back(std::max(extent_, largest_coordinate(ray.origin)));
+    if (context_.polarised)
+        lights_.push_back(emitted_light(context_.scene, ray));
 }
 
 Event Grove::cut_or_none(Branch const& branch) const {
@@ -292,6 +300,9 @@ void Grove::trace(Branch const& branch) {
     Draw const draw{seed_, first_ + branch.ray, branch.place};
     Branches branches = interact(context_.scene, context_.optics, interface, branch.direction, branch.medium,
                                  wavelength, draw);
+    if (context_.polarised)
+        sorted_ = sort_light(context_.scene, context_.optics, interface, branch.direction, branch.medium,
+                             wavelength, lights_[number_of(branch)], branches);
     if (watch_) {
         power = watch_->meet(number_of(branch), branch, interface, branches);
     } else if (branches.absorbed > 0.0) {
@@ -411,6 +422,8 @@ void Grove::push_children(Branch const& branch, Interface const& interface, Bran
             watch_->push(number_of(branch), child, outgoing);
         if (context_.options.digits_lost)
             next_spreads_.emplace_back(spread_).turn(branch.direction, bend_, outgoing.event);
+        if (context_.polarised)
+            next_lights_.push_back(outgoing.crosses ? sorted_.through : sorted_.back);
     }
 }
 
@@ -429,6 +442,8 @@ void Grove::pass_on(Branch const& branch, Interface const& interface, double pow
     child.left = interface.left_by(true);
     if (context_.options.digits_lost)
         next_spreads_.emplace_back(spread_).turn(branch.direction, bend_, Event::passed);
+    if (context_.polarised)
+        next_lights_.push_back(lights_[number_of(branch)]);
 }
 
 void Grove::lose(Branch const& branch, Event event, double power, double t) {

@@ -61,6 +61,7 @@ struct TraceContext {
     double log_min_power = 0.0;           // share of the ray's power; what begins with less is not logged
     PathFilters const* filters = nullptr; // or none
     bool again = false;                   // the same rays with other draws, to see what is left to chance
+    bool polarised = false;               // s and p kept apart
 };
 
 inline constexpr std::uint64_t rays_per_batch = 4096;

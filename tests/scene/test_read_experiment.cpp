@@ -126,7 +126,9 @@ TEST_CASE("the example of the format: its laser, screen and sweep") {
     CHECK(beam.rays == 1000);
     CHECK(!beam.gaussian_radius);
     CHECK(laser.power == 1.0);
-    CHECK(laser.polarised);
+    REQUIRE(laser.polarisation);
+    CHECK(laser.polarisation->stokes == dvec3(1.0, 0.0, 0.0));
+    CHECK(laser.polarisation->axis == dvec3(0.0, 1.0, 0.0));
     REQUIRE(laser.wavelengths.size() == 3);
     CHECK(laser.wavelengths[0] == std::pair{486.1327 * 1e-9, 1.0});
     CHECK(laser.wavelengths[2] == std::pair{656.2725 * 1e-9, 1.0});

@@ -51,7 +51,7 @@ struct Lab {
                        std::move(emitter),
                        {{587.6e-9, 1.0}},
                        1.0,
-                       false,
+                       {},
                        {}});
     }
 };
