@@ -94,7 +94,7 @@ struct Doubt {
     Scale scale;
     double slope(double r) const { return noise + left_out(r); }
     double height(double r) const { return height_noise + left_out(r) * r / 6.0; }
-    double left_out(double r) const { return 0.4 * scale.slope(scale.degree + 1, r); }
+    double left_out(double r) const { return 0.1 * scale.slope(scale.degree + 1, r); }
 };
 
 /// What the data's doubt would make of terms that hardly show in them is held down: a term is expected to be
@@ -189,7 +189,7 @@ std::optional<HeightField> fit_at(SmoothFans const& fans, std::uint32_t fan, Fit
     field.y_axis = cross(field.z_axis, field.x_axis);
     auto patch = patch_round(fans, fan, field, options, 2);
     // a third ring lessens the noise, where the polynomial reaches so far
-    constexpr double third_ring = 1.5, little = 64.0;
+    constexpr double third_ring = 1.5, little = 16.0;
     if (patch && patch->doubt.left_out(third_ring) < little * patch->doubt.noise)
         patch = patch_round(fans, fan, field, options, 3);
     if (!patch)

@@ -35,8 +35,17 @@ inline std::shared_ptr<Mesh const> float_ball(double radius, std::uint32_t frequ
     return float_mesh(geodesic_soup(radius, frequency), [](dvec3 const& p) { return normalize(p); });
 }
 
-/// The same with each place moved along the radius by up to `noise` of an edge, as a scanner leaves it, and
-/// the normals that such a file has: those of the triangles, averaged.
+/// The same with nothing rounded.
+inline std::shared_ptr<Mesh const> double_ball(double radius, std::uint32_t frequency) {
+    TriangleSoup soup = geodesic_soup(radius, frequency);
+    soup.normals.clear();
+    for (dvec3 const& p : soup.positions)
+        soup.normals.push_back(normalize(p));
+    return std::make_shared<Mesh const>(make_mesh(std::move(soup)));
+}
+
+/// A float ball with each place moved along the radius by up to `noise` of an edge, as a scanner leaves it,
+/// and the normals that such a file has: those of the triangles, averaged.
 inline std::shared_ptr<Mesh const> noisy_ball(double radius, std::uint32_t frequency, double noise) {
     TriangleSoup soup = geodesic_soup(radius, frequency);
     double const edge = 1.1 * radius / frequency;

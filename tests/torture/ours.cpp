@@ -21,7 +21,7 @@ std::size_t shells_of(TorturePart const& part) {
 
 class Ours : public Finder {
   public:
-    explicit Ours(TortureCase const& torture) : scene_(sahl_scene(torture)) {}
+    Ours(TortureCase const& torture, Curving curving) : scene_(sahl_scene(torture, curving)) {}
 
     void begin(TortureRay const& ray, std::vector<std::uint32_t> const&) override {
         origin_ = ray.origin;
@@ -197,7 +197,7 @@ class WithoutContact : public Finder {
 
 } // namespace
 
-Scene sahl_scene(TortureCase const& torture) {
+Scene sahl_scene(TortureCase const& torture, Curving curving) {
     Scene scene;
     for (std::size_t m = 0; m < torture.indices.size(); ++m)
         scene.media.push_back({"medium " + std::to_string(m), ConstantIndex{torture.indices[m]}, {}, {}});
@@ -226,7 +226,8 @@ Scene sahl_scene(TortureCase const& torture) {
                               {shell},
                               false,
                               false,
-                              part.mirror});
+                              part.mirror,
+                              mesh && !part.mirror ? curving : Curving::none});
         for (std::size_t face = 0; face < faces_of(part); ++face)
             scene.faces.push_back({name, id, part.mirror ? std::optional(SurfaceId{0}) : std::nullopt});
         for (std::size_t s = 0; s < shells_of(part); ++s)
@@ -237,8 +238,8 @@ Scene sahl_scene(TortureCase const& torture) {
     return scene;
 }
 
-std::unique_ptr<Finder> ours(TortureCase const& torture) {
-    return std::make_unique<Ours>(torture);
+std::unique_ptr<Finder> ours(TortureCase const& torture, Curving curving) {
+    return std::make_unique<Ours>(torture, curving);
 }
 
 std::unique_ptr<Finder> ours_without_contact(TortureCase const& torture) {

@@ -7,10 +7,11 @@
 
 namespace sahl::bench {
 
-/// The scene as Sahl holds it: bodies in the case's order, mediums numbered as there.
-Scene sahl_scene(TortureCase const& torture);
+/// The scene as Sahl holds it: bodies in the case's order, mediums numbered as there; closed meshes met by
+/// their triangles, or as curved surfaces.
+Scene sahl_scene(TortureCase const& torture, Curving curving = Curving::none);
 
-std::unique_ptr<Finder> ours(TortureCase const& torture);
+std::unique_ptr<Finder> ours(TortureCase const& torture, Curving curving = Curving::none);
 std::unique_ptr<Finder> ours_without_contact(TortureCase const& torture);
 
 } // namespace sahl::bench

@@ -1,34 +1,65 @@
 // The torture suite, thinned: no event is wrong, in any case, in the round variant and in some with other
 // radii, triangulations, angles and places. With 1e6 rays a case: tests/benchmarks/next_hit.
+#include "geometry/smooth_fans.h"
 #include "support/catch.h"
 #include "torture/cases.h"
 #include "torture/follow.h"
 #include "torture/ours.h"
 
 #include <algorithm>
+#include <memory>
 
 using namespace sahl::bench;
+using sahl::dvec3;
 
 namespace {
 
 using Adder = void (*)(std::vector<TortureCase>&, std::uint64_t);
 
+void judge_case(TortureCase const& torture, Finder& method, std::uint64_t seed, std::uint64_t rays) {
+    auto const drawn =
+        std::max<std::uint64_t>(1, static_cast<std::uint64_t>(torture.share * static_cast<double>(rays)));
+    Verdict const verdict = judge(torture, method, seed, drawn);
+    CAPTURE(torture.name, torture.of, seed, verdict.events, verdict.stories);
+    CHECK(verdict.wrong == 0);
+    // what rounding leaves open: at most one ray in 1e5, here none or one
+    CHECK(static_cast<double>(verdict.ambiguous) <= std::max(1.0, 1e-5 * static_cast<double>(verdict.rays)));
+    CHECK(verdict.rays == drawn);
+    CHECK(verdict.worst_shift <= 16.0); // of right hits from the exact place, in ulp of the coordinates
+}
+
 void check(Adder add, std::uint64_t variant, std::uint64_t rays) {
     std::vector<TortureCase> cases;
     add(cases, variant);
-    for (TortureCase const& torture : cases) {
-        auto const method = ours(torture);
-        auto const drawn =
-            std::max<std::uint64_t>(1, static_cast<std::uint64_t>(torture.share * static_cast<double>(rays)));
-        Verdict const verdict = judge(torture, *method, variant + 1, drawn);
-        CAPTURE(torture.name, torture.of, variant, verdict.events, verdict.stories);
-        CHECK(verdict.wrong == 0);
-        // what rounding leaves open: at most one ray in 1e5, here none or one
-        CHECK(static_cast<double>(verdict.ambiguous) <=
-              std::max(1.0, 1e-5 * static_cast<double>(verdict.rays)));
-        CHECK(verdict.rays == drawn);
-        CHECK(verdict.worst_shift <= 16.0); // of right hits from the exact place, in ulp of the coordinates
+    for (TortureCase const& torture : cases)
+        judge_case(torture, *ours(torture), variant + 1, rays);
+}
+
+/// Is each side of its triangles a crease, or has both its triangles in one plane? Then it is what it stands
+/// for.
+bool is_flat_faced(sahl::Mesh const& mesh) {
+    if (!mesh.closed())
+        return false;
+    sahl::SmoothFans const fans = sahl::smooth_fans(std::make_shared<sahl::Mesh const>(mesh));
+    for (auto const& triangle : fans.triangles) {
+        dvec3 const normal = cross(fans.fans[triangle.fans[1]].place - fans.fans[triangle.fans[0]].place,
+                                   fans.fans[triangle.fans[2]].place - fans.fans[triangle.fans[0]].place);
+        for (std::uint32_t const fan : triangle.fans)
+            if (!(dot(normalize(normal), fans.fans[fan].normal) > 1.0 - 1e-15))
+                return false;
     }
+    return true;
+}
+
+bool is_flat_faced(TortureCase const& torture) {
+    bool any = false;
+    for (TorturePart const& part : torture.parts)
+        if (auto const* const mesh = std::get_if<MeshRef>(&part.geometry)) {
+            if (!part.mirror && !is_flat_faced(**mesh))
+                return false;
+            any = any || !part.mirror;
+        }
+    return any;
 }
 
 } // namespace
@@ -68,6 +99,24 @@ TEST_CASE("meshes and exact shapes in one scene are met as they should be", "[to
 TEST_CASE("what works by itself works together", "[torture]") {
     for (std::uint64_t variant : {0, 1, 2})
         check(add_combined_cases, variant, 1500);
+}
+
+TEST_CASE("bodies of flat faces are met as their triangles by curved patches too", "[torture][curved]") {
+    std::size_t judged = 0;
+    for (Adder const add : {add_edge_cases, add_grazing_cases, add_contact_cases, add_endless_cases,
+                            add_extreme_cases, add_mixed_cases, add_combined_cases}) {
+        std::vector<TortureCase> cases;
+        add(cases, 0);
+        for (TortureCase const& torture : cases) {
+            if (!is_flat_faced(torture))
+                continue;
+            ++judged;
+            for (sahl::Curving const curving : {sahl::Curving::quadratic, sahl::Curving::fitted})
+                judge_case(torture, *ours(torture, curving), 1, 200);
+        }
+    }
+    WARN(judged << " cases of flat faces");
+    CHECK(judged > 20);
 }
 
 TEST_CASE("the judge of the torture suite sees a body that is not merged with what it touches", "[torture]") {
