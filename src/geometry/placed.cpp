@@ -436,7 +436,9 @@ bool is_flat(Placed const& placed, std::uint32_t face) {
         Region::Kind const kind = solid->regions()[face].kind;
         return kind == Region::Kind::half_space || kind == Region::Kind::block;
     }
-    return std::holds_alternative<Shape>(placed.met_by);
+    bool const facets =
+        std::holds_alternative<Tree>(placed.met_by) || std::holds_alternative<Sheet>(placed.met_by);
+    return std::holds_alternative<Shape>(placed.met_by) || (facets && !placed.geometry.interpolate);
 }
 
 } // namespace
