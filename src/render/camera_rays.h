@@ -2,6 +2,7 @@
 #pragma once
 
 #include "math/sequences.h"
+#include "render/footprint.h"
 #include "scene/picture.h"
 
 #include <cmath>
@@ -39,6 +40,20 @@ class CameraRays {
         }
         ray.direction = normalize(ray.direction);
         return ray;
+    }
+
+    /// Of a ray that `ray` gave, for steps of so many pixels.
+    Footprint footprint(dvec3 const& direction, double pixels) const {
+        dvec3 const across = 2.0 * half_width_ * pixels / camera_.columns * right_;
+        dvec3 const down = -2.0 * half_height_ * pixels / camera_.rows * camera_.up;
+        if (camera_.height > 0.0)
+            return {{across, dvec3(0.0)}, {down, dvec3(0.0)}};
+        // before it was made a unit vector the direction reached a distance of 1 along `forward`
+        double const shortened = dot(direction, camera_.forward);
+        auto const heading = [&](dvec3 const& step) {
+            return shortened * (step - dot(step, direction) * direction);
+        };
+        return {{dvec3(0.0), heading(across)}, {dvec3(0.0), heading(down)}};
     }
 
   private:

@@ -35,4 +35,9 @@ ColouredBranches coloured_branches(Scene const& scene, WavelengthTable const& op
                                    Interface const& interface, dvec3 const& direction, MediumId medium,
                                    Channels const& channels);
 
+/// A picture's colour where the surface has one: it multiplies what glass lets through and what metal
+/// mirrors, as the base colour does (glTF 2.0, KHR_materials_transmission).
+void tint(ColouredBranches& branches, Scene const& scene, WavelengthTable const& optics,
+          Interface const& interface, Channels const& channels, dvec3 const& colour);
+
 } // namespace sahl

@@ -122,12 +122,9 @@ void PictureMaker::render_tile(Film& film, std::uint64_t number, std::uint32_t f
 std::vector<RayView> PictureMaker::look(std::span<Ray const> rays, std::uint64_t first, bool by_lines,
                                         EventCounts& ended) const {
     TraceContext const context{scene_, *optics_, *nothing_, trace_, SumUnit::for_total(1.0)};
-    Camera const& camera = camera_.camera();
-    double const share = 1.0 / (camera.rows * std::sqrt(static_cast<double>(picture_.options.samples)));
-    double const cone = 2.0 * std::tan(0.5 * camera.fov) * share;
-    TreeShader shader(
-        {scene_, *optics_, picture_, sky_, dispersive_, textures_, cone, camera.height * share, caustics_},
-        one_tree_channels, by_lines);
+    double const step = 1.0 / std::sqrt(static_cast<double>(picture_.options.samples));
+    TreeShader shader({scene_, *optics_, picture_, sky_, dispersive_, textures_, camera_, step, caustics_},
+                      one_tree_channels, by_lines);
     EventCounts const counts = trace_rays(context, first, rays, shader, start_ ? &*start_ : nullptr);
     for (std::size_t i = 0; i < counts.size(); ++i)
         ended[i] += counts[i];

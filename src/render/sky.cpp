@@ -22,9 +22,9 @@ Sky::Sky(Background const& background) : background_(background) {
         environment_.emplace(read_image(background.image), image_frame(background));
 }
 
-dvec3 Sky::toward(dvec3 const& direction) const {
+dvec3 Sky::toward(dvec3 const& direction, dvec3 const& across, dvec3 const& down) const {
     if (environment_)
-        return environment_->at(direction);
+        return environment_->at(direction, across, down);
     if (!background_.zenith)
         return background_.color;
     double const up = std::max(0.0, dot(direction, background_.up));

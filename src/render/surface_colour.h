@@ -5,7 +5,12 @@
 
 namespace sahl {
 
-/// Multiplies ambient and diffuse of `paint` at the interface.
-dvec3 pigment(Scene const& scene, Interface const& interface, Paint const& paint);
+/// Is some paint of the scene a chess board?
+bool has_checker(Scene const& scene);
+
+/// Multiplies ambient and diffuse of `paint` at the interface: the mean over what a sample stands for.
+///   across, down   m, on the surface: the sides of that; zero: a point
+dvec3 pigment(Scene const& scene, Interface const& interface, Paint const& paint, dvec3 const& across,
+              dvec3 const& down);
 
 } // namespace sahl

@@ -39,20 +39,38 @@ std::optional<Paint> paint_of(Scene const& scene, Interface const& interface) {
 
 } // namespace
 
+TreeShader::TreeShader(PictureScene const& picture, Channels const& channels, bool single)
+    : in_(picture), one_tree_(channels), single_(single) {
+    if (picture.picture.options.filter_textures &&
+        (!picture.textures.empty() || picture.sky.has_image() || has_checker(picture.scene)))
+        footprints_.emplace(picture.scene, picture.optics);
+}
+
 void TreeShader::plant(std::span<Branch const> roots, std::span<Ray const> rays) {
     rays_ = rays;
     first_view_ = views_.size();
     views_.resize(views_.size() + roots.size());
     colours_.assign(roots.size(), dvec3(1.0));
     next_colours_.clear();
+    if (footprints_) {
+        std::vector<Footprint> seen;
+        seen.reserve(rays.size());
+        for (Ray const& ray : rays)
+            seen.push_back(in_.camera.footprint(ray.direction, in_.step));
+        footprints_->plant(std::move(seen));
+    }
 }
 
 void TreeShader::next_generation() {
+    if (footprints_)
+        footprints_->next_generation();
     std::swap(colours_, next_colours_);
     next_colours_.clear();
 }
 
 void TreeShader::push(std::size_t, Branch const& child, Outgoing const& outgoing) {
+    if (footprints_)
+        footprints_->push(outgoing);
     next_colours_.push_back(child.power * leaving_[outgoing.crosses ? 1 : 0]);
 }
 
@@ -63,9 +81,12 @@ void TreeShader::lose(std::size_t number, Branch const& branch, Event event) {
         return;
     }
     ++view.pieces;
-    if (event == Event::escaped)
-        view.light += colours_[number] * (in_.sky.toward(branch.direction) +
-                                          glow(branch, std::numeric_limits<double>::infinity()));
+    if (event != Event::escaped)
+        return;
+    Footprint const seen = footprints_ ? footprints_->of(number) : Footprint{};
+    view.light +=
+        colours_[number] * (in_.sky.toward(branch.direction, seen.across.heading, seen.down.heading) +
+                            glow(branch, std::numeric_limits<double>::infinity()));
 }
 
 dvec3 TreeShader::glow(Branch const& branch, double length) const {
@@ -88,6 +109,8 @@ double TreeShader::meet(std::size_t number, Branch const& branch, Interface cons
     }
     view.disperses =
         view.disperses || in_.dispersive[branch.medium.value] || in_.dispersive[interface.medium_after.value];
+    if (footprints_)
+        seen_ = footprints_->meet(number, branch, interface, rays_[branch.ray].wavelength);
     dvec3 const arrives =
         colours_[number] * absorbed_on_way(in_.optics, branch.medium, channels_, interface.t);
     view.light += colours_[number] * glow(branch, interface.t);
@@ -102,10 +125,16 @@ double TreeShader::meet(std::size_t number, Branch const& branch, Interface cons
 void TreeShader::weigh(Branch const& branch, Interface const& interface, dvec3 const& arrives, double power,
                        Branches& branches) {
     leaving_.fill(arrives / power);
-    if (single_ || !is_coloured(in_.scene, interface))
+    if (!is_coloured(in_.scene, interface))
         return;
-    ColouredBranches const coloured =
+    bool const pictured = in_.textures.has(in_.scene, interface);
+    if (single_ && !pictured)
+        return;
+    ColouredBranches coloured =
         coloured_branches(in_.scene, in_.optics, interface, branch.direction, branch.medium, channels_);
+    if (pictured)
+        tint(coloured, in_.scene, in_.optics, interface, channels_,
+             in_.textures.at(in_.scene, interface, seen_.across.place, seen_.down.place));
     branches.outgoing = coloured.outgoing;
     double sum = 0.0;
     for (Outgoing& outgoing : branches.outgoing) {
@@ -130,24 +159,12 @@ void TreeShader::light_up(RayView& view, Branch const& branch, Interface const& 
         branches.outgoing.clear();
 }
 
-/// Over what the sample stands for, if it had gone straight on from the camera: at glass and mirrors that are
-/// curved it is narrower or wider.
-dvec3 TreeShader::texture(Branch const& branch, Interface const& interface) const {
-    if (in_.textures.empty())
-        return dvec3(1.0);
-    double const width = in_.width + in_.cone * (branch.optical_path + interface.t);
-    dvec3 const along = perpendicular_to(branch.direction, cross(branch.direction, interface.facet_normal));
-    dvec3 const across = cross(along, branch.direction);
-    double const slope = -dot(branch.direction, interface.facet_normal);
-    dvec3 const on_surface =
-        across + branch.direction * (dot(across, interface.facet_normal) / std::max(slope, 1e-3));
-    return in_.textures.at(in_.scene, interface, width * along, width * on_surface);
-}
-
 /// Phong's ambient, diffuse and specular terms, over all lamps.
 dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, Branch const& branch,
                               bool& lit) const {
-    dvec3 const colour = pigment(in_.scene, interface, paint) * texture(branch, interface);
+    dvec3 const across = seen_.across.place, down = seen_.down.place;
+    dvec3 const colour = pigment(in_.scene, interface, paint, across, down) *
+                         in_.textures.at(in_.scene, interface, across, down);
     dvec3 const& direction = branch.direction;
     dvec3 light = in_.picture.options.ambient * vector(paint.ambient) * colour;
     if (in_.caustics)
@@ -178,8 +195,11 @@ dvec3 TreeShader::lamp_light(LampView const& lamp, Interface const& interface) c
     auto const visit = [&](Interface const& met, MediumId medium) {
         if (!glass)
             return false;
-        passes *= absorbed_on_way(in_.optics, medium, channels_, met.t) *
-                  coloured_branches(in_.scene, in_.optics, met, lamp.toward, medium, channels_).across;
+        ColouredBranches boundary =
+            coloured_branches(in_.scene, in_.optics, met, lamp.toward, medium, channels_);
+        if (in_.textures.has(in_.scene, met) && is_coloured(in_.scene, met))
+            tint(boundary, in_.scene, in_.optics, met, channels_, in_.textures.at(in_.scene, met));
+        passes *= absorbed_on_way(in_.optics, medium, channels_, met.t) * boundary.across;
         return brightest(passes) > least_shadow_light;
     };
     auto const last = [&](MediumId medium, double length) {

@@ -1,7 +1,9 @@
 // In: the trees of camera rays, as they grow. Out: the light that each ray brings.
 #pragma once
 
+#include "render/camera_rays.h"
 #include "render/channels.h"
+#include "render/footprints.h"
 #include "render/lamps.h"
 #include "render/light_map.h"
 #include "render/sky.h"
@@ -22,8 +24,8 @@ struct PictureScene {
     Sky const& sky;
     std::vector<bool> const& dispersive; // media
     SurfaceTextures const& textures;
-    double cone = 0.0;  // rad: what a sample stands for widens by it with the distance from the camera
-    double width = 0.0; // m, of the same where the camera is orthographic
+    CameraRays const& camera;
+    double step = 1.0;                  // pixels between samples: what each of them stands for
     LightMap const* caustics = nullptr; // light that is added to paint
 };
 
@@ -44,8 +46,7 @@ class TreeShader final : public TreeWatch {
   public:
     /// channels   of a tree for all colours; where `single`, each ray has its own wavelength, and trees that
     ///            grow together may have different ones
-    TreeShader(PictureScene const& picture, Channels const& channels, bool single)
-        : in_(picture), one_tree_(channels), single_(single) {}
+    TreeShader(PictureScene const& picture, Channels const& channels, bool single);
 
     void plant(std::span<Branch const> roots, std::span<Ray const> rays) override;
     double meet(std::size_t number, Branch const& branch, Interface const& interface,
@@ -63,7 +64,6 @@ class TreeShader final : public TreeWatch {
                Branches& branches);
     void light_up(RayView& view, Branch const& branch, Interface const& interface, dvec3 const& arrives,
                   Branches& branches);
-    dvec3 texture(Branch const& branch, Interface const& interface) const;
     dvec3 local_light(Paint const& paint, Interface const& interface, Branch const& branch, bool& lit) const;
     dvec3 lamp_light(LampView const& lamp, Interface const& interface) const;
 
@@ -76,6 +76,8 @@ class TreeShader final : public TreeWatch {
     std::size_t first_view_ = 0;                // of the group that grows
     std::vector<dvec3> colours_, next_colours_; // of this generation's branches, at their start
     std::array<dvec3, 2> leaving_{};            // what comes back and what crosses, of a power of 1
+    std::optional<Footprints> footprints_;      // where something has a pattern to be averaged over
+    Footprint seen_;                            // of the branch that is looked at, on the surface
 };
 
 } // namespace sahl

@@ -100,6 +100,8 @@ constexpr Key picture_keys[] = {
      {0.0, 64.0}},
     {"caustics", Kind::table, {}, "adds light of the sources, traced to a detector, to the paint it lies on"},
     {"exr", Kind::text, "float", "colours of an EXR: \"float\" (32 bits) or \"half\" (16 bits)"},
+    {"filter_textures", Kind::truth, true,
+     "patterns and pictures on surfaces are averaged over what a sample stands for; false: seen at a point"},
     {"exposure", Kind::number, 0.0, "stops by which the PNG is brighter: 1 doubles", {-32.0, 32.0}},
 };
 

@@ -79,6 +79,8 @@ struct PictureOptions {
     std::optional<Caustics> caustics{};
     bool half_exr = false; // colours of an EXR in 16 bits
     double exposure = 0.0; // stops, applied to the PNG
+    bool filter_textures =
+        true; // patterns and pictures on surfaces are averaged over what a sample stands for
 };
 
 struct Picture {

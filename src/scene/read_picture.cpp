@@ -141,6 +141,7 @@ PictureOptions read_how(Fields const& fields) {
     }
     options.half_exr = fields.choice<bool>("exr", {{"float", false}, {"half", true}});
     options.exposure = fields.number("exposure");
+    options.filter_textures = fields.truth("filter_textures");
     return options;
 }
 

@@ -55,6 +55,10 @@ SurfaceTextures::SurfaceTextures(Scene const& scene) {
     }
 }
 
+bool SurfaceTextures::has(Scene const& scene, Interface const& interface) const {
+    return !textures_.empty() && interface.surface && scene.surfaces[interface.surface->value].texture;
+}
+
 dvec3 SurfaceTextures::at(Scene const& scene, Interface const& interface, dvec3 const& dx,
                           dvec3 const& dy) const {
     if (textures_.empty() || !interface.surface)

@@ -21,6 +21,8 @@ class SurfaceTextures {
     bool empty() const { return textures_.empty(); }
     std::vector<std::string> const& warnings() const { return warnings_; }
 
+    bool has(Scene const& scene, Interface const& interface) const;
+
     /// What the surface's colour is multiplied by, linear RGB; white where it has no picture.
     /// dx, dy   how the place moves in the world over the width and the height of what is looked with; zero:
     /// a point
