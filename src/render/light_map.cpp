@@ -5,14 +5,6 @@
 
 namespace sahl {
 
-namespace {
-
-/// A point lies on the rectangle if it is nearer than this share of its size: paint and detector are placed
-/// by numbers that a person wrote.
-constexpr double on_rectangle = 1e-4;
-
-} // namespace
-
 void LightMap::add(dvec2 const& at, dvec3 const& light) {
     auto const place = [](double share, std::uint32_t count) {
         return static_cast<std::size_t>(std::clamp(std::floor(share * count), 0.0, count - 1.0));

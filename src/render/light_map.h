@@ -8,6 +8,10 @@
 
 namespace sahl {
 
+/// A point lies on a rectangle if it is nearer than this share of its size: paint and detector are placed by
+/// numbers that a person wrote.
+inline constexpr double on_rectangle = 1e-4;
+
 /// Light over a rectangle: in units of what makes white paint show 1.
 class LightMap {
   public:

@@ -30,6 +30,37 @@ DetectorSpec const& detector_called(Experiment const& experiment, Caustics const
                                    : did_you_mean(caustics.detector, names));
 }
 
+/// It lies on its paint within what numbers in a file can say, and so does half of it behind the paint: it is
+/// taken a little before it. That is half of what the layer is seen within.
+DetectorSpec lifted(DetectorSpec detector) {
+    double const lift = 0.5 * on_rectangle * std::max(detector.size.x, detector.size.y);
+    detector.to_world.offset += lift * detector.to_world.linear[2];
+    return detector;
+}
+
+constexpr int looks_a_side = 9;
+
+/// Is there paint behind any of a grid of places on it?
+bool lies_on_paint(Scene const& scene, DetectorSpec const& raised) {
+    dvec3 const down = -raised.to_world.linear[2];
+    double const size = std::max(raised.size.x, raised.size.y), behind_itself = 0.01 * on_rectangle * size;
+    for (int i = 0; i < looks_a_side * looks_a_side; ++i) {
+        dvec2 const share((i % looks_a_side + 0.5) / looks_a_side - 0.5,
+                          (i / looks_a_side + 0.5) / looks_a_side - 0.5);
+        dvec3 const from = raised.to_world.point(dvec3(share * raised.size, -behind_itself));
+        Bvh::Start const start = scene.bvh->start_at(from, down);
+        Interface found;
+        if (next_interface(scene, from, down, start.inside, body_at(scene, start.inside), start.on, found) !=
+                Meeting::interface ||
+            found.t > 1.5 * on_rectangle * size || !found.surface)
+            continue;
+        auto const& kind = scene.surfaces[found.surface->value].kind;
+        if (std::holds_alternative<Paint>(kind) || std::holds_alternative<Diffuse>(kind))
+            return true;
+    }
+    return false;
+}
+
 /// What a watt of all sources looks like, of a luminance of 1.
 double luminance_of_a_watt(Emission const& emission, Scene const& scene) {
     double sum = 0.0;
@@ -54,11 +85,18 @@ std::optional<LightMap> light_layer(Experiment const& experiment, ModelCache* mo
     DetectorSpec const detector = detector_called(experiment, *caustics);
     need_sources(experiment);
     Experiment lit = experiment;
-    lit.detectors = {detector};
+    lit.detectors = {lifted(detector)};
     Scene const scene = build_scene(lit, models);
+    if (!lies_on_paint(scene, lit.detectors.front()))
+        throw InputError(caustics->place.text(),
+                         "there is no paint where detector \"" + detector.name +
+                             "\" lies: nothing would show its light",
+                         "put at_mm on a painted surface and make it face away from that");
+    PathFilters const filters = path_filters(scene, {});
     WavelengthTable const optics(scene);
     Emission const emission(scene.sources, optics, experiment.trace.seed);
-    TraceContext const context{scene, optics, emission, experiment.trace, power_unit(emission)};
+    TraceContext context{scene, optics, emission, experiment.trace, power_unit(emission)};
+    context.filters = filters.at_detectors ? &filters : nullptr;
 
     double const pixel_area = detector.size.x * detector.size.y / detector.columns / detector.rows;
     double const unit = caustics->white * pixel_area * luminance_of_a_watt(emission, scene); // W, weighed
