@@ -42,6 +42,31 @@ void write_files(RenderOptions const& options, Film const& film, PictureOptions 
     }
 }
 
+Metadata metadata_of(ExperimentSource const& source, Experiment const& experiment) {
+    std::string set;
+    for (std::string const& assignment : source.set)
+        set += assignment + "\n";
+    Metadata metadata{{"Software", program_name()},
+                      {"ImageDescription", experiment.title},
+                      {"sahl:experiment", source.text},
+                      {"sahl:experiment_sha256", experiment_sha256(source)},
+                      {"sahl:seed", std::to_string(experiment.trace.seed)}};
+    if (!set.empty())
+        metadata.emplace_back("sahl:set", set);
+    return metadata;
+}
+
+/// Before anything is asked of it that tracing needs.
+void need_camera(Value const& tree, fs::path const& file) {
+    Value const* const objects = tree.find("object");
+    auto const* const list = objects ? std::get_if<Array>(&objects->data) : nullptr;
+    bool const may_come = list && std::any_of(list->begin(), list->end(),
+                                              [](Value const& object) { return object.find("model"); });
+    if (!tree.find("camera") && !may_come)
+        throw InputError(file.string(), "there is no camera",
+                         "add [camera] with at_mm and look_at_mm, in mm");
+}
+
 /// Camera and lamps where the experiment has none and its models have some.
 void take_from_models(Picture& picture, Scene const& scene, fs::path const& file) {
     if (!picture.camera && !scene.cameras.empty())
@@ -62,6 +87,7 @@ std::uint64_t count(EventCounts const& ended, Event event) {
 RenderResult render_experiment(ExperimentSource const& source, RenderOptions const& options) {
     check_endings(options.files);
     auto const start = Clock::now();
+    need_camera(source.tree, source.file);
     Experiment experiment = read_experiment(source.tree, source.file);
     auto const caustics = light_layer(experiment, options.models, options.threads, options.progress);
     experiment.detectors.clear(); // they are no things that could be seen
@@ -74,12 +100,7 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
     RenderOutcome const outcome = render_scene(maker, picture.options, options.threads, options.progress,
                                                options.stop ? *options.stop : never);
     auto const writing = Clock::now();
-    write_files(options, outcome.film, picture.options,
-                {{"Software", program_name()},
-                 {"ImageDescription", experiment.title},
-                 {"sahl:experiment", source.text},
-                 {"sahl:experiment_sha256", experiment_sha256(source)},
-                 {"sahl:seed", std::to_string(experiment.trace.seed)}});
+    write_files(options, outcome.film, picture.options, metadata_of(source, experiment));
     std::uint64_t segments = 0;
     for (std::uint64_t const events : outcome.ended)
         segments += events;
