@@ -33,6 +33,13 @@ constexpr Key object_keys[] = {
      {},
      "of a model: it is traced in fewer triangles, no vertex that is left out farther off them than this",
      above_zero},
+    {"smooth", Kind::truth, false,
+     "of a model: a mesh that has no normals gets those of its triangles, smooth up to folds of 30°; method "
+     "\"interpolated\" then has something to interpolate"},
+    {"open_walls", Kind::truth, false,
+     "of a model with a `medium`: meshes that are not closed are walls of it without thickness, and no "
+     "bodies "
+     "that light leaks into"},
     {"scale", Kind::any, 1.0, "a number, or one for each axis; not 0"},
     {"turn_deg", Kind::three, Repeated{3, 0.0}, "then about x, then about y, then about z"},
     {"move_mm", Kind::three, Repeated{3, 0.0}, "then moved; then the group's motion"},

@@ -76,13 +76,14 @@ bool says_enough(FaceRule const& rule) {
 }
 
 /// Body or open surface, and of which medium.
-void decide(Component& component, Mesh const& mesh, std::vector<FaceRule> const& rules,
+void decide(Component& component, Mesh const& mesh, std::vector<FaceRule> const& rules, bool open_walls,
             MaterialBook& materials) {
     auto const any = [&](auto const& holds) {
         return std::any_of(component.faces.begin(), component.faces.end(),
                            [&](std::size_t face) { return holds(rules[face]); });
     };
-    bool const clear = any([](FaceRule const& rule) { return rule.medium && !rule.surface; });
+    bool const clear = any([](FaceRule const& rule) { return rule.medium && !rule.surface; }) &&
+                       !(open_walls && mesh.shells[component.shell].open);
     bool const volume = any([](FaceRule const& rule) { return rule.material && has_volume(*rule.material); });
     component.open = mesh.shells[component.shell].open && !clear && !volume;
     for (std::size_t const face : component.faces) {
@@ -115,6 +116,10 @@ void report(std::string const& name, ModelPart const& part, std::vector<FaceRule
     for (Component const& component : components)
         for (std::size_t const face : component.faces) {
             ModelMaterial const* const glass = rules[face].material;
+            if (part.open && component.open && rules[face].medium && !rules[face].surface)
+                materials.warn("mesh " + name +
+                               ": it is open, and is traced as a thin wall of glass; if it is " +
+                               "a body, close it");
             if (!glass || !is_glass(*glass) || component.open != part.open)
                 continue;
             if (part.open)
@@ -137,7 +142,7 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
                                 MaterialBook& materials) {
     Model const& model = *from;
     ModelMesh const& source = model.meshes[number];
-    std::shared_ptr<Mesh const> const mesh = cache.mesh(from, number);
+    std::shared_ptr<Mesh const> const mesh = cache.mesh(from, number, reference.smooth);
     std::vector<FaceRule> rules;
     for (std::size_t face = 0; face < source.face_material.size(); ++face)
         rules.push_back(rule_of(object, reference, model, source, face));
@@ -149,7 +154,7 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
                                  "nothing says what mesh " + source.name + " of object '" + object.name +
                                      "' is made of: it has no material",
                                  "give the object a medium or a surface");
-        decide(component, *mesh, rules, materials);
+        decide(component, *mesh, rules, reference.open_walls, materials);
     }
     give_cavities_to_bodies(components, *mesh);
 
@@ -183,9 +188,11 @@ std::vector<ModelPart> parts_of(ObjectSpec const& object, ModelReference const& 
             used[face] = true;
         for (std::size_t face = 0; face < rules.size(); ++face) {
             ModelMaterial const* const from_file = used[face] ? rules[face].material : nullptr;
-            part.surfaces.push_back(!from_file  ? rules[face].surface
-                                    : part.open ? std::optional(materials.sheet(*from_file))
-                                                : materials.boundary(*from_file));
+            bool const wall = part.open && rules[face].medium && !rules[face].surface;
+            part.surfaces.push_back(wall         ? std::optional(materials.wall(*rules[face].medium))
+                                    : !from_file ? rules[face].surface
+                                    : part.open  ? std::optional(materials.sheet(*from_file))
+                                                 : materials.boundary(*from_file));
         }
         report(source.name, part, rules, components, materials);
     }

@@ -1,5 +1,6 @@
 #include "scene/model_cache.h"
 
+#include "geometry/smooth_normals.h"
 #include "scene/read_model.h"
 
 #include <algorithm>
@@ -40,12 +41,16 @@ std::shared_ptr<Model const> ModelCache::model(std::filesystem::path const& path
     return found;
 }
 
-std::shared_ptr<Mesh const> ModelCache::mesh(std::shared_ptr<Model const> const& model, std::size_t number) {
+std::shared_ptr<Mesh const> ModelCache::mesh(std::shared_ptr<Model const> const& model, std::size_t number,
+                                             bool smooth) {
     std::scoped_lock const lock(mutex_);
-    auto const make = [&] { return std::make_shared<Mesh const>(make_mesh(model->meshes[number].soup)); };
+    auto const make = [&] {
+        auto mesh = std::make_shared<Mesh const>(make_mesh(model->meshes[number].soup));
+        return smooth ? with_smooth_normals(std::move(mesh)) : mesh;
+    };
     for (auto& [path, entry] : entries_)
         if (entry.model == model) {
-            auto& mesh = entry.meshes[number];
+            auto& mesh = entry.meshes[{number, smooth}];
             if (!mesh)
                 mesh = make();
             return mesh;

@@ -27,7 +27,9 @@ class ModelCache {
     /// Throws InputError, as read_model does.
     std::shared_ptr<Model const> model(std::filesystem::path const& path);
     /// make_mesh() of the model's mesh of this number.
-    std::shared_ptr<Mesh const> mesh(std::shared_ptr<Model const> const& model, std::size_t number);
+    ///   smooth   with normals where it has none
+    std::shared_ptr<Mesh const> mesh(std::shared_ptr<Model const> const& model, std::size_t number,
+                                     bool smooth = false);
     /// part_of() a mesh that came from here.
     std::shared_ptr<Mesh const> part(std::shared_ptr<Mesh const> const& mesh,
                                      std::vector<std::uint32_t> const& shells);
@@ -38,7 +40,7 @@ class ModelCache {
         std::string stamp; // size and time of writing
         std::uint64_t asked = 0, triangles = 0;
         std::shared_ptr<Model const> model{};
-        std::map<std::size_t, std::shared_ptr<Mesh const>> meshes{};
+        std::map<std::pair<std::size_t, bool>, std::shared_ptr<Mesh const>> meshes{}; // by number, and smooth
         std::map<std::pair<Mesh const*, std::vector<std::uint32_t>>, std::shared_ptr<Mesh const>> parts{};
     };
     void make_room();

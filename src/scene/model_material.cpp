@@ -41,6 +41,10 @@ std::vector<std::pair<double, double>> absorption_of(ModelVolume const& volume, 
             {green_to_red, alpha[0]}};
 }
 
+/// Of the light from everywhere, as a corner of a room has it: files speak of lamps alone, and what no lamp
+/// reaches is not black.
+constexpr double ambient_share = 0.35;
+
 /// The share of the surface that is there at all (alphaMode: coverage).
 double coverage(ModelMaterial const& material) {
     double const alpha = material.base_color[3];
@@ -67,7 +71,7 @@ decltype(Surface::kind) opaque_kind(ModelMaterial const& material) {
     if (covers < 1.0)
         return Tinted{1.0 - covers, {1.0, 1.0, 1.0}, mirror};
     if (mirror == Colour{})
-        return Paint{{}, base(material), {}, 1.0, 0.0, {}};
+        return Paint{times(ambient_share, base(material)), base(material), {}, 1.0, 0.0, {}};
     return Tinted{0.0, {1.0, 1.0, 1.0}, mirror};
 }
 
@@ -151,7 +155,7 @@ std::optional<SurfaceId> MaterialBook::boundary(ModelMaterial const& material) {
         return add(material, name, {{}, opaque_kind(material)});
     Tinted const tinted{1.0 - material.metallic, times(material.transmission, base(material)),
                         mirrored(material)};
-    if (tinted.clear == 1.0 && tinted.transmitted == Colour{1.0, 1.0, 1.0})
+    if (tinted.clear == 1.0 && tinted.transmitted == Colour{1.0, 1.0, 1.0} && !material.color_texture)
         return std::nullopt;
     return add(material, name, {{}, tinted});
 }
@@ -165,6 +169,11 @@ SurfaceId MaterialBook::sheet(ModelMaterial const& material) {
                {{},
                 ThinWall{medium(material), 1.0 - material.metallic,
                          times(material.transmission, base(material)), mirrored(material)}});
+}
+
+SurfaceId MaterialBook::wall(MediumId medium) {
+    std::string const name = object_ + ":" + scene_.media[medium.value].name + " (thin wall)";
+    return add({}, name, {{}, ThinWall{medium}});
 }
 
 } // namespace sahl

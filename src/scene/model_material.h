@@ -27,6 +27,8 @@ class MaterialBook {
     std::optional<SurfaceId> boundary(ModelMaterial const& material);
     /// What an open surface does: glass is a thin wall.
     SurfaceId sheet(ModelMaterial const& material);
+    /// The same of a medium that the experiment names.
+    SurfaceId wall(MediumId medium);
 
     void warn(std::string const& text);
 

@@ -83,6 +83,8 @@ ModelReference read_model(Fields const& fields, Names const& names) {
     model.materials = read_materials(fields, names);
     if (fields.has("decimate_mm"))
         model.decimate = 1e-3 * fields.number("decimate_mm");
+    model.smooth = fields.truth("smooth");
+    model.open_walls = fields.truth("open_walls");
     return model;
 }
 
@@ -150,7 +152,7 @@ ObjectSpec read_object(Value const& table, Names const& names, Groups const& gro
         object.what = read_model(fields, names);
         return object;
     }
-    for (auto const key : {"length_unit", "parts", "materials", "decimate_mm"})
+    for (auto const key : {"length_unit", "parts", "materials", "decimate_mm", "smooth", "open_walls"})
         if (fields.has(key))
             throw InputError(fields.place(key).text(),
                              fields.called(key) + " is for models, and this is a shape", "leave it out");

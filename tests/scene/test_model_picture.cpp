@@ -1,4 +1,5 @@
 // Cameras and lights of glTF files as a picture takes them.
+#include "render/lamps.h"
 #include "run/render.h"
 #include "scene/model_picture.h"
 #include "support/bench.h"
@@ -59,6 +60,26 @@ TEST_CASE("a lamp of pi candela makes what faces it at a metre white, whatever t
     Light const sun = light_of(from, place);
     CHECK(length(std::get<DirectionalLight>(sun.kind).toward - dvec3(-1, 0, 0)) < 1e-15);
     CHECK(sun.falloff == 0.0);
+}
+
+TEST_CASE("candelas and luxes light as KHR_lights_punctual has them, a spot by its two cones", "[scene]") {
+    ModelLight from;
+    from.kind = ModelLight::Kind::spot;
+    from.intensity = 10.0; // cd
+    from.inner_cone = 0.2;
+    from.outer_cone = 0.5;
+    Light const spot = light_of(from, {});
+    double const pi = std::numbers::pi;
+    auto const at = [&](double angle) { return 2.0 * dvec3(std::sin(angle), 0.0, -std::cos(angle)); };
+    // E = I / d² lx, and white shows E / π; between the cones the square of a line in the cosine
+    double const between =
+        (std::cos(0.35) - std::cos(0.5)) / (std::cos(0.2) - std::cos(0.5)); // 0.6004 of the line
+    CHECK(view_of(spot, at(0.1)).light.x == Approx(10.0 / 4.0 / pi).epsilon(1e-12));
+    CHECK(view_of(spot, at(0.35)).light.x == Approx(10.0 / 4.0 / pi * between * between).epsilon(1e-12));
+    CHECK(view_of(spot, at(0.51)).light.x == 0.0);
+    from.kind = ModelLight::Kind::directional;
+    from.intensity = 5.0; // lx, at any distance
+    CHECK(view_of(light_of(from, {}), at(0.35)).light.x == Approx(5.0 / pi).epsilon(1e-12));
 }
 
 TEST_CASE("an experiment without camera and lamps is seen by its model's camera, in the light of its lamps",
