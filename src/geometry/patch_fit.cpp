@@ -134,9 +134,11 @@ double fall_of(std::vector<Datum> const& data, double turn) {
         }
         squares += x * x + y * y;
     }
-    double const off = std::sqrt(squares / static_cast<double>(data.size()) + normal_noise * normal_noise);
+    double const off = std::sqrt(squares / static_cast<double>(data.size()));
     constexpr double margin = 2.0, most = 0.5; // beyond it no series tells anything
-    return std::min(margin * std::cbrt(off / turn), most);
+    // what rounding may have made of the normals says nothing of the surface: then it bends as a sphere does
+    double const fall = margin * std::cbrt(std::max(off - normal_noise, 0.0) / turn);
+    return std::clamp(fall, std::min(turn, most), most);
 }
 
 /// What is known of the surface round a fan.

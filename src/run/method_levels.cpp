@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t pilots = 256;    // of each source
 constexpr double margin = 2.0;           // for what 256 rays do not see of the worst
-constexpr double margin_of_finest = 4.0; // two ways to fit the same data share some of their error
+constexpr double margin_of_finest = 3.5; // two ways to fit the same data share some of their error
 constexpr double rounding = 1e-12;       // rad: of directions in double, with all that a path may make of it
 
 constexpr std::size_t most_apart = 6; // groups that are judged one by one
