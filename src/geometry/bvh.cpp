@@ -25,13 +25,28 @@ struct Bvh::State {
     std::uint32_t in_cluster = 0;       // a bit for each of `bounded`
     Touching touch;                     // two candidates at one place
     std::vector<MadeFlush> made_flush;
-    bool lone = false; // one object, no shell of which touches another
+    bool lone = false;                       // one object, no shell of which touches another
+    std::optional<std::uint32_t> seen_ahead; // the mesh that packets are asked about
 
-    NextHit next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
-                         double from) const;
+    void choose_mesh_for_packets();
+    NextHit next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, double from,
+                         SeenAhead const* ahead) const;
 };
 
 namespace {
+
+MeshTree const* tree_of(Placed const& object) {
+    auto const* const tree = std::get_if<std::shared_ptr<MeshTree const>>(&object.met_by);
+    return tree ? tree->get() : nullptr;
+}
+
+/// What was seen ahead of an object's next crossing, as Placed::next gives it.
+double recall(Placed const& object, SeenAhead const& ahead, dvec3 const& origin, dvec3 const& direction,
+              double to, Candidate& found) {
+    if (ahead.crossing && ahead.crossing->t <= to)
+        found = object.candidate(*ahead.crossing, object.local(origin, direction));
+    return INFINITY;
+}
 
 /// Below this many objects asking each is quicker than a hierarchy of boxes (measured: six spheres against
 /// Embree).
@@ -159,18 +174,52 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
             state_->in_cluster |= std::uint32_t(state_->cluster->holds(state_->bounded[i])) << i;
     }
     state_->lone = state_->objects.size() == 1 && !state_->touch.objects(0, 0);
+    state_->choose_mesh_for_packets();
 }
 
 Bvh::Bvh(Bvh&&) noexcept = default;
 Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 Bvh::~Bvh() = default;
 
+/// The largest, unless it shares a tree with others.
+void Bvh::State::choose_mesh_for_packets() {
+    std::size_t most = 0;
+    for (std::uint32_t i = 0; i < objects.size(); ++i) {
+        MeshTree const* const mesh = tree_of(objects[i]);
+        if (!mesh || !mesh->looks_ahead() || (cluster && cluster->holds(i)) ||
+            mesh->mesh().soup.triangles.size() <= most)
+            continue;
+        most = mesh->mesh().soup.triangles.size();
+        seen_ahead = i;
+    }
+}
+
+double Bvh::size_seen_ahead() const {
+    if (!state_->seen_ahead)
+        return 0.0;
+    Bounds const& box = state_->objects[*state_->seen_ahead].box;
+    return length(box.high - box.low);
+}
+
+void Bvh::look_ahead(std::span<Line const> lines, std::span<SeenAhead> seen) const {
+    Placed const& object = state_->objects[*state_->seen_ahead];
+    InlineVector<MeshTree::Line, most_together> asked;
+    for (Line const& line : lines) {
+        Placed::LocalRay const ray = object.local(*line.origin, *line.direction);
+        asked.push_back(
+            {ray.origin, ray.direction, {*line.inside, object.geometry.first_shell}, ray.rounding});
+    }
+    tree_of(object)->next_together({asked.begin(), asked.size()}, seen);
+}
+
 /// A lone object is met directly: nothing lies before it, and nothing touches it.
 NextHit Bvh::State::next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
-                                 double from) const {
+                                 double from, SeenAhead const* ahead) const {
     NextHit hit;
     Candidate found;
-    double const contradiction = objects.front().next(origin, direction, inside, {from, INFINITY}, {}, found);
+    double const contradiction =
+        ahead && ahead->known ? recall(objects.front(), *ahead, origin, direction, INFINITY, found)
+                              : objects.front().next(origin, direction, inside, {from, INFINITY}, {}, found);
     if (found.t == INFINITY || contradiction < found.t) {
         hit.proof = contradiction < INFINITY || !inside.empty() ? Proof::leak : Proof::clean;
         hit.t = contradiction;
@@ -209,10 +258,10 @@ struct Nearest {
 } // namespace
 
 NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
-                  double from) const {
+                  double from, SeenAhead const* ahead) const {
     State const& state = *state_;
     if (state.lone && left.empty())
-        return state.next_of_lone(origin, direction, inside, from);
+        return state.next_of_lone(origin, direction, inside, from, ahead);
     Nearest nearest_ones;
     auto& candidates = nearest_ones.candidates;
     double& horizon = nearest_ones.horizon;
@@ -237,8 +286,10 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
             if (sheet.object == index)
                 above = bool(sheet.above);
         Candidate found;
-        contradiction =
-            std::min(contradiction, object.next(origin, direction, inside, {from, horizon}, above, found));
+        bool const known = ahead && ahead->known && index == state.seen_ahead;
+        contradiction = std::min(
+            contradiction, known ? recall(object, *ahead, origin, direction, horizon, found)
+                                 : object.next(origin, direction, inside, {from, horizon}, above, found));
         if (found.t == INFINITY)
             return;
         found.object = index;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -75,6 +76,7 @@ struct NextHit {
 };
 
 class MeshStore;
+struct SeenAhead;
 
 class Bvh {
   public:
@@ -87,8 +89,23 @@ class Bvh {
     /// The next place at t ≥ from.
     ///   direction   unit
     ///   inside      the shells that the ray is in
+    ///   ahead       what look_ahead() saw of this line, if it was asked and `from` is 0: the answer is the
+    ///               same, and comes sooner
     NextHit next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
-                 double from = 0.0) const;
+                 double from = 0.0, SeenAhead const* ahead = nullptr) const;
+
+    /// A ray that is asked about with others.
+    struct Line {
+        dvec3 const* origin;
+        dvec3 const* direction;
+        ShellSet const* inside;
+    };
+    static constexpr std::size_t most_together = 16;
+    /// Of up to most_together rays that start close to each other and go much the same way, what a packet
+    /// finds of the largest mesh.
+    void look_ahead(std::span<Line const> lines, std::span<SeenAhead> seen) const;
+    /// How large that mesh is (m, world); 0: there is none.
+    double size_seen_ahead() const;
 
     /// Of the sheets that a ray has left, those that still lie where it is now.
     LeftSheets still_there(LeftSheets const& left, dvec3 const& point) const;

@@ -6,6 +6,7 @@
 #include "geometry/triangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <thread>
 #include <tuple>
@@ -157,6 +158,36 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
     MeshAnswer answer;
     bool const sure = query.settle(looked_to, answer) && (answer.crossing || looked_to == INFINITY);
     return sure ? answer : next_exact(origin, direction, inside, reach, rounding);
+}
+
+void MeshTree::next_together(std::span<Line const> lines, std::span<SeenAhead> seen) const {
+    std::array<TriangleTree::Line, TriangleTree::most_together> asked;
+    std::array<std::optional<MeshQuery>, TriangleTree::most_together> queries;
+    std::array<double, TriangleTree::most_together> looked_to;
+    looked_to.fill(INFINITY);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Line const& line = lines[i];
+        asked[i] = {line.origin, line.direction, length(line.direction)};
+        queries[i].emplace(*this, line.origin, line.direction, asked[i].unit, line.inside, 0.0, line.rounding,
+                           triangles_.blur() / asked[i].unit);
+    }
+    triangles_.visit_together(
+        std::span(asked).first(lines.size()), [&](std::size_t i, Proposal const& proposal) {
+            double const to =
+                queries[i]->take<MeshQuery::Ahead::numbers>(proposal.triangle, proposal.t, proposal.sense);
+            looked_to[i] = std::min(looked_to[i], to);
+            return to;
+        });
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        queries[i]->ask_for_corners();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        MeshAnswer answer;
+        seen[i].known =
+            queries[i]->settle(looked_to[i], answer) && (answer.crossing || looked_to[i] == INFINITY);
+        seen[i].crossing = answer.crossing;
+        if (answer.crossing)
+            prefetch_normals(answer.crossing->triangle);
+    }
 }
 
 MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,

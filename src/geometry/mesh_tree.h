@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sahl {
@@ -46,6 +47,12 @@ struct MeshAnswer {
     double contradiction = INFINITY;
 };
 
+/// A line's next crossing of a mesh, found together with that of others.
+struct SeenAhead {
+    bool known = false; // false: a doubt is left, or it was not looked for
+    std::optional<MeshCrossing> crossing;
+};
+
 /// Which of a mesh's shells a ray is in; the mesh's first shell has the number `first`.
 struct InsideShells {
     ShellSet const& set;
@@ -64,6 +71,17 @@ class MeshTree {
     /// they amount to follows from the next place, since crossings of a closed shell alternate.
     MeshAnswer next(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                     double rounding) const;
+
+    /// A line that is asked about with others, from its start on.
+    struct Line {
+        dvec3 origin{0.0}, direction{0.0};
+        InsideShells inside;
+        double rounding = 0.0;
+    };
+    /// For up to TriangleTree::most_together lines that go much the same way: of each the crossing that
+    /// next() gives, where float leaves no doubt.
+    void next_together(std::span<Line const> lines, std::span<SeenAhead> seen) const;
+    bool looks_ahead() const { return triangles_.visits_together(); }
 
     /// The same answer from every crossing that the line has, met as boxes in double: slower, and the judge
     /// of next().
@@ -89,6 +107,17 @@ class MeshTree {
     void prefetch(std::uint32_t triangle) const {
         for (std::uint32_t const corner : outward_[triangle])
             __builtin_prefetch(&mesh_->soup.positions[corner]);
+    }
+    /// Asks for the numbers of its corners, and of its vertices' normals.
+    void prefetch_numbers(std::uint32_t triangle) const {
+        __builtin_prefetch(&outward_[triangle]);
+        if (!mesh_->soup.normals.empty())
+            __builtin_prefetch(&mesh_->soup.triangles[triangle]);
+    }
+    void prefetch_normals(std::uint32_t triangle) const {
+        if (!mesh_->soup.normals.empty())
+            for (std::uint32_t const corner : mesh_->soup.triangles[triangle])
+                __builtin_prefetch(&mesh_->soup.normals[corner]);
     }
     /// Unit, out of the volume that the shell encloses.
     dvec3 normal(std::uint32_t triangle) const;

@@ -131,14 +131,14 @@ LeftSheets Interface::left_by(bool crosses) const {
 
 Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction,
                        ShellSet const& inside, std::optional<ObjectId> body, LeftSheets const& left,
-                       Interface& found) {
+                       Interface& found, SeenAhead const* ahead) {
     found.inside_after = inside;
     found.on_the_way.clear();
     found.arrivals.clear();
     found.recovered = false;
     double from = 0.0;
     for (;;) {
-        NextHit hit = scene.bvh->next(origin, direction, found.inside_after, left, from);
+        NextHit hit = scene.bvh->next(origin, direction, found.inside_after, left, from, ahead);
         if (hit.proof == Proof::leak)
             hit = next_beside(scene, origin, direction, found.inside_after, left, from);
         found.t = hit.t;
@@ -187,6 +187,7 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
             found.on_the_way.push_back({hit.t, body});
         body = found.body_after;
         from = hit.t;
+        ahead = nullptr; // it was seen of the first place alone
     }
 }
 

@@ -53,9 +53,10 @@ enum class Meeting : std::uint8_t { interface, nothing, leak, too_deep };
 /// silence.
 ///   inside   the shells that the ray is in; body: the one whose medium it runs through, body_at(scene,
 ///   inside)
+///   ahead    what Bvh::look_ahead saw of this ray, if it was asked
 /// `found` is written if the answer is `interface`, its arrivals always, its t also after a leak.
 Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction,
                        ShellSet const& inside, std::optional<ObjectId> body, LeftSheets const& left,
-                       Interface& found);
+                       Interface& found, SeenAhead const* ahead = nullptr);
 
 } // namespace sahl

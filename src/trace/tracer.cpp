@@ -2,6 +2,7 @@
 
 #include "math/random.h"
 #include "trace/branch.h"
+#include "trace/look_ahead.h"
 #include "trace/sort_light.h"
 
 #include <algorithm>
@@ -12,9 +13,15 @@ namespace sahl {
 
 namespace {
 
-/// Rays whose trees grow together, generation by generation; few enough that their branches stay in the
-/// cache.
-constexpr std::uint32_t rays_together = 32;
+/// Rays whose trees grow together, generation by generation: few enough that their branches stay in the
+/// cache, which many do where each has but one branch; many enough that some go the same way.
+constexpr std::uint32_t rays_together = 32, paths_together = 256;
+
+std::uint32_t together(TraceOptions const& options) {
+    bool const one_branch =
+        options.branch == BranchPolicy::roulette && options.split_depth == 0 && options.split_until >= 1.0;
+    return one_branch ? paths_together : rays_together;
+}
 
 bool finite(dvec3 const& v) {
     return std::isfinite(v.x + v.y + v.z);
@@ -36,7 +43,8 @@ class Grove {
   public:
     Grove(TraceContext const& context, BatchResult& result, SegmentSink& log)
         : context_(context), result_(result), log_(log),
-          seed_(context.again ? seed_again(context.options.seed) : context.options.seed) {
+          seed_(context.again ? seed_again(context.options.seed) : context.options.seed),
+          ahead_(context.scene) {
         if (context.options.digits_lost)
             extent_ = extent_of(*context.scene.bvh);
     }
@@ -53,6 +61,7 @@ class Grove {
     void begin(std::uint64_t first, std::size_t count);
     void plant(Ray const& ray);
     void grow_generations();
+    void look_ahead(bool first);
     std::size_t number_of(Branch const& branch) const {
         return static_cast<std::size_t>(&branch - generation_.data());
     }
@@ -84,6 +93,7 @@ class Grove {
     TreeWatch* watch_ = nullptr;
     Bvh::Start const* start_ = nullptr;
     std::uint64_t seed_;
+    LookAhead ahead_;
     std::uint64_t first_ = 0;
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
@@ -136,7 +146,8 @@ void Grove::grow(std::uint64_t first, std::uint32_t count) {
 }
 
 void Grove::grow_generations() {
-    while (!generation_.empty()) {
+    for (bool first = true; !generation_.empty(); first = false) {
+        look_ahead(first);
         for (Branch const& branch : generation_)
             trace(branch);
         std::swap(generation_, next_generation_);
@@ -148,6 +159,17 @@ void Grove::grow_generations() {
         if (watch_)
             watch_->next_generation();
     }
+}
+
+/// What goes the same way is asked about together, before each is traced.
+void Grove::look_ahead(bool first) {
+    ahead_.begin(generation_.size(), first);
+    if (!ahead_.wants())
+        return;
+    for (std::size_t i = 0; i < generation_.size(); ++i)
+        if (cut_or_none(generation_[i]) == Event::none)
+            ahead_.add(i, generation_[i]);
+    ahead_.end();
 }
 
 /// Which hits count, and which paths are logged.
@@ -262,7 +284,7 @@ void Grove::trace(Branch const& branch) {
     }
     Interface interface;
     Meeting const meeting = next_interface(context_.scene, branch.origin, branch.direction, branch.inside,
-                                           branch.body, branch.left, interface);
+                                           branch.body, branch.left, interface, ahead_.at(number_of(branch)));
     for (Arrival const& arrival : interface.arrivals)
         detect_arrival(branch, arrival);
     if (meeting == Meeting::leak || meeting == Meeting::too_deep)
@@ -504,9 +526,9 @@ BatchResult trace_batch(TraceContext const& context, std::uint64_t first, std::u
                        {},
                        {}};
     Grove grove(context, result, sink != nullptr ? *sink : result.log);
-    for (std::uint64_t done = 0; done < count; done += rays_together)
-        grove.grow(first + done,
-                   static_cast<std::uint32_t>(std::min<std::uint64_t>(rays_together, count - done)));
+    std::uint32_t const group = together(context.options);
+    for (std::uint64_t done = 0; done < count; done += group)
+        grove.grow(first + done, static_cast<std::uint32_t>(std::min<std::uint64_t>(group, count - done)));
     return result;
 }
 
@@ -516,9 +538,9 @@ std::array<std::uint64_t, event_names.size()> trace_rays(TraceContext const& con
     BatchResult result{Tally(context.unit, 0, 0, 0), {}, {}, {}, {}};
     Grove grove(context, result, result.log);
     grove.watch(watch, start);
-    for (std::size_t done = 0; done < rays.size(); done += rays_together)
-        grove.grow(first + done,
-                   rays.subspan(done, std::min<std::size_t>(rays_together, rays.size() - done)));
+    std::size_t const group = together(context.options);
+    for (std::size_t done = 0; done < rays.size(); done += group)
+        grove.grow(first + done, rays.subspan(done, std::min(group, rays.size() - done)));
     return result.tally.ended;
 }
 

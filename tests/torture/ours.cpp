@@ -1,7 +1,11 @@
 // In: a scene of the torture suite. Out: Sahl's own ways through it.
 #include "torture/ours.h"
 
+#include "geometry/mesh_tree.h"
 #include "scene/interface.h"
+
+#include <array>
+#include <cmath>
 
 namespace sahl::bench {
 
@@ -21,7 +25,9 @@ std::size_t shells_of(TorturePart const& part) {
 
 class Ours : public Finder {
   public:
-    Ours(TortureCase const& torture, Curving curving) : scene_(sahl_scene(torture, curving)) {}
+    explicit Ours(TortureCase const& torture, Curving curving = Curving::none, bool in_packets = false)
+        : scene_(sahl_scene(torture, curving)),
+          in_packets_(in_packets && scene_.bvh->size_seen_ahead() > 0.0) {}
 
     void begin(TortureRay const& ray, std::vector<std::uint32_t> const&) override {
         origin_ = ray.origin;
@@ -32,7 +38,9 @@ class Ours : public Finder {
         body_ = body_at(scene_, inside_);
     }
     Answer next() override {
-        Meeting const meeting = next_interface(scene_, origin_, direction_, inside_, body_, left_, found_);
+        SeenAhead const ahead = in_packets_ ? seen_in_a_packet() : SeenAhead{};
+        Meeting const meeting =
+            next_interface(scene_, origin_, direction_, inside_, body_, left_, found_, &ahead);
         if (meeting == Meeting::nothing)
             return {};
         Answer answer;
@@ -62,6 +70,24 @@ class Ours : public Finder {
     double ulp() const override { return 0x1p-52; }
 
   private:
+    /// Of the ray, somewhere among others that start there too and go nearly the same way.
+    SeenAhead seen_in_a_packet() {
+        std::array<dvec3, Bvh::most_together> directions;
+        std::array<SeenAhead, Bvh::most_together> seen;
+        std::vector<Bvh::Line> lines;
+        std::size_t const place = packets_++ % Bvh::most_together;
+        dvec3 const side = perpendicular_to(direction_), other = cross(direction_, side);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            auto const turn = static_cast<double>(i);
+            directions[i] = i == place ? direction_
+                                       : normalize(direction_ + 0.02 * std::sqrt(turn) *
+                                                                    (std::cos(2.4 * turn) * side +
+                                                                     std::sin(2.4 * turn) * other));
+            lines.push_back({&origin_, &directions[i], &inside_});
+        }
+        scene_.bvh->look_ahead(lines, seen);
+        return seen[place];
+    }
     std::uint32_t first_face(std::uint32_t part) const {
         std::uint32_t face = found_.face.value;
         while (face > 0 && scene_.faces[face - 1].body.value == part)
@@ -70,6 +96,8 @@ class Ours : public Finder {
     }
 
     Scene scene_;
+    bool in_packets_;
+    std::uint64_t packets_ = 0;
     dvec3 origin_{0.0}, direction_{0.0};
     ShellSet inside_;
     LeftSheets left_;
@@ -238,8 +266,16 @@ Scene sahl_scene(TortureCase const& torture, Curving curving) {
     return scene;
 }
 
-std::unique_ptr<Finder> ours(TortureCase const& torture, Curving curving) {
+std::unique_ptr<Finder> ours(TortureCase const& torture) {
+    return std::make_unique<Ours>(torture);
+}
+
+std::unique_ptr<Finder> ours_curved(TortureCase const& torture, Curving curving) {
     return std::make_unique<Ours>(torture, curving);
+}
+
+std::unique_ptr<Finder> ours_in_packets(TortureCase const& torture) {
+    return std::make_unique<Ours>(torture, Curving::none, true);
 }
 
 std::unique_ptr<Finder> ours_without_contact(TortureCase const& torture) {

@@ -11,7 +11,11 @@ namespace sahl::bench {
 /// their triangles, or as curved surfaces.
 Scene sahl_scene(TortureCase const& torture, Curving curving = Curving::none);
 
-std::unique_ptr<Finder> ours(TortureCase const& torture, Curving curving = Curving::none);
+std::unique_ptr<Finder> ours(TortureCase const& torture);
+/// The same, its closed meshes met as curved surfaces.
+std::unique_ptr<Finder> ours_curved(TortureCase const& torture, Curving curving);
+/// The same, each ray asked about in a packet with others.
+std::unique_ptr<Finder> ours_in_packets(TortureCase const& torture);
 std::unique_ptr<Finder> ours_without_contact(TortureCase const& torture);
 
 } // namespace sahl::bench

@@ -28,11 +28,11 @@ void judge_case(TortureCase const& torture, Finder& method, std::uint64_t seed, 
     CHECK(verdict.worst_shift <= 16.0); // of right hits from the exact place, in ulp of the coordinates
 }
 
-void check(Adder add, std::uint64_t variant, std::uint64_t rays) {
+void check(Adder add, std::uint64_t variant, std::uint64_t rays, decltype(ours)* way = ours) {
     std::vector<TortureCase> cases;
     add(cases, variant);
     for (TortureCase const& torture : cases)
-        judge_case(torture, *ours(torture), variant + 1, rays);
+        judge_case(torture, *way(torture), variant + 1, rays);
 }
 
 /// Is each side of its triangles a crease, or has both its triangles in one plane? Then it is what it stands
@@ -112,11 +112,17 @@ TEST_CASE("bodies of flat faces are met as their triangles by curved patches too
                 continue;
             ++judged;
             for (sahl::Curving const curving : {sahl::Curving::quadratic, sahl::Curving::fitted})
-                judge_case(torture, *ours(torture, curving), 1, 200);
+                judge_case(torture, *ours_curved(torture, curving), 1, 200);
         }
     }
     WARN(judged << " cases of flat faces");
     CHECK(judged > 20);
+}
+
+TEST_CASE("rays that are asked about in packets meet what they should", "[torture]") {
+    for (Adder const add : {add_edge_cases, add_grazing_cases, add_contact_cases, add_extreme_cases,
+                            add_mixed_cases, add_combined_cases})
+        check(add, 3, 500, ours_in_packets);
 }
 
 TEST_CASE("the judge of the torture suite sees a body that is not merged with what it touches", "[torture]") {

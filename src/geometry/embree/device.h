@@ -76,6 +76,30 @@ inline RTCRayHit float_ray(dvec3 const& origin, dvec3 const& direction, float fa
     return ray;
 }
 
+/// How many rays a packet holds.
+inline constexpr unsigned packet_size = 16;
+
+/// Was this Embree built to take packets?
+inline bool takes_packets() {
+    return rtcGetDeviceProperty(shared_device(), RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED) != 0;
+}
+
+/// Rays that go the same way; `valid` is −1 for those that there are, and 0.
+inline void intersect_packet(RTCScene scene, Context& context, int const* valid, RTCRayHit16& rays) {
+#if RTC_VERSION_MAJOR >= 4
+    rtcInitRayQueryContext(&context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &rays, &arguments);
+#else
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &context, &rays);
+#endif
+}
+
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
 #if RTC_VERSION_MAJOR >= 4
     rtcInitRayQueryContext(&context);

@@ -3,6 +3,8 @@
 #include "geometry/embree/device.h"
 #include "math/products.h"
 
+#include <array>
+
 namespace sahl {
 
 using namespace embree;
@@ -26,22 +28,72 @@ constexpr double t_ulps = 16.0;
 /// room for that error at slopes down to 4e-3.
 constexpr double margin_share = 1.0 / 4096.0;
 
-struct Query {
-    Context embree;
-    double (*callback)(void*, Proposal const&);
-    void* context;
+/// What one line asks, beside what Embree is told.
+struct Asked {
     double to;    // t of the caller's line
     double start; // t at which the float ray starts
     double unit;  // length of the caller's direction
     double per_unit;
-    double margin; // m
-    float sure;    // square of a slope
-    float far() const {
-        return static_cast<float>((to - start) * unit + margin);
-    } // the margin covers rounding
+
+    /// The margin covers rounding.
+    float far(double margin) const { return static_cast<float>((to - start) * unit + margin); }
 };
 
+struct Query {
+    Context embree;
+    double (*callback)(void*, Proposal const&);
+    void* context;
+    double margin; // m
+    float sure;    // square of a slope
+    Asked asked;
+};
+
+struct PacketQuery {
+    Context embree;
+    double (*callback)(void*, std::size_t, Proposal const&);
+    void* context;
+    double margin;
+    float sure;
+    std::array<Asked, packet_size> asked;
+};
+
+/// Embree's hit as a proposal.
+///   along, squared   of its normal, which has any length: times the direction, times itself
+Proposal proposal_of(Asked const& asked, unsigned triangle, float t, float along, float squared, float sure) {
+    bool const is_sure = along * along > sure * squared;
+    return {triangle, asked.start + static_cast<double>(t) * asked.per_unit,
+            !is_sure       ? 0
+            : along < 0.0f ? -1
+                           : 1};
+}
+
+void propose_to_packet(RTCFilterFunctionNArguments const* arguments) {
+    auto& query = *reinterpret_cast<PacketQuery*>(arguments->context);
+    unsigned const n = arguments->N;
+    for (unsigned i = 0; i < n; ++i) {
+        if (!arguments->valid[i])
+            continue;
+        Asked& asked = query.asked[i];
+        float const x = RTCHitN_Ng_x(arguments->hit, n, i), y = RTCHitN_Ng_y(arguments->hit, n, i),
+                    z = RTCHitN_Ng_z(arguments->hit, n, i);
+        float const along = x * RTCRayN_dir_x(arguments->ray, n, i) +
+                            y * RTCRayN_dir_y(arguments->ray, n, i) + z * RTCRayN_dir_z(arguments->ray, n, i);
+        float& far = RTCRayN_tfar(arguments->ray, n, i);
+        double const to = query.callback(query.context, i,
+                                         proposal_of(asked, RTCHitN_primID(arguments->hit, n, i), far, along,
+                                                     x * x + y * y + z * z, query.sure));
+        if (to >= asked.to) {
+            arguments->valid[i] = 0;
+            continue;
+        }
+        asked.to = to;
+        far = asked.far(query.margin);
+    }
+}
+
 void propose(RTCFilterFunctionNArguments const* arguments) {
+    if (arguments->N > 1)
+        return propose_to_packet(arguments);
     if (!arguments->valid[0])
         return;
     auto& query = *reinterpret_cast<Query*>(arguments->context);
@@ -49,19 +101,15 @@ void propose(RTCFilterFunctionNArguments const* arguments) {
     auto const& hit = *reinterpret_cast<RTCHit const*>(arguments->hit);
     float const along = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
     float const squared = hit.Ng_x * hit.Ng_x + hit.Ng_y * hit.Ng_y + hit.Ng_z * hit.Ng_z;
-    bool const sure = along * along > query.sure * squared;
-    Proposal const proposal{hit.primID, query.start + static_cast<double>(ray.tfar) * query.per_unit,
-                            !sure          ? 0
-                            : along < 0.0f ? -1
-                                           : 1};
-    double const to = query.callback(query.context, proposal);
-    if (to >= query.to) {
+    double const to = query.callback(
+        query.context, proposal_of(query.asked, hit.primID, ray.tfar, along, squared, query.sure));
+    if (to >= query.asked.to) {
         arguments->valid[0] = 0;
         return;
     }
-    query.to = to;
+    query.asked.to = to;
     // beyond the hit itself, so that all that lies at one place is proposed
-    ray.tfar = query.far();
+    ray.tfar = query.asked.far(query.margin);
 }
 
 using Corners = std::array<dvec3, 3>;
@@ -159,27 +207,88 @@ double TriangleTree::lift() const {
     return growth_ulps * float_ulp * state_->size;
 }
 
+namespace {
+
+/// The part of a line that Embree is asked about, seen from the box's centre; none: it misses the box.
+std::optional<Reach> part_of(dvec3 const& start, dvec3 const& direction, double per_unit, Reach reach,
+                             dvec3 const& half, double size, double margin) {
+    dvec3 const out = glm::abs(start) - half;
+    if (std::max({out.x, out.y, out.z}) > 0.0 || reach.from != 0.0) // it starts outside the box
+        return clip(start, direction, half, {reach.from - margin * per_unit, reach.to});
+    return Reach{-margin * per_unit, std::min(reach.to, (size + margin) * per_unit)};
+}
+
+bool is_line(dvec3 const& origin, double unit) {
+    return unit > 0.0 && std::isfinite(unit) && std::isfinite(dot(origin, origin));
+}
+
+} // namespace
+
 void TriangleTree::visit_triangles(dvec3 const& origin, dvec3 const& direction, double unit, Reach reach,
                                    Callback callback, void* context) const {
     State const& state = *state_;
-    if (!state.scene || !(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(dot(origin, origin)))
+    if (!state.scene || !is_line(origin, unit))
         return;
     dvec3 const start = origin - state.centre;
     double const per_unit = 1.0 / unit, margin = state.margin;
-    Reach part{reach.from - margin * per_unit, std::min(reach.to, (state.size + margin) * per_unit)};
-    dvec3 const out = glm::abs(start) - state.half;
-    if (std::max({out.x, out.y, out.z}) > 0.0 || reach.from != 0.0) { // it starts outside the box
-        auto const clipped = clip(start, direction, state.half, {part.from, reach.to});
-        if (!clipped)
-            return;
-        part = *clipped;
-    }
-    Query query{{},       callback,  context,
-                reach.to, part.from, unit,
-                per_unit, margin,    static_cast<float>(state.sure * state.sure)};
-    RTCRayHit ray = float_ray(start + part.from * direction, per_unit * direction,
-                              static_cast<float>((part.to - part.from) * unit + margin));
+    auto const part = part_of(start, direction, per_unit, reach, state.half, state.size, margin);
+    if (!part)
+        return;
+    Query query{{},
+                callback,
+                context,
+                margin,
+                static_cast<float>(state.sure * state.sure),
+                {reach.to, part->from, unit, per_unit}};
+    RTCRayHit ray = float_ray(start + part->from * direction, per_unit * direction,
+                              static_cast<float>((part->to - part->from) * unit + margin));
     intersect(state.scene, query.embree, ray);
+}
+
+bool TriangleTree::visits_together() const {
+    static_assert(most_together == packet_size);
+    return state_->scene && takes_packets();
+}
+
+void TriangleTree::visit_packet(std::span<Line const> lines, PacketCallback callback, void* context) const {
+    State const& state = *state_;
+    PacketQuery query{{}, callback, context, state.margin, static_cast<float>(state.sure * state.sure), {}};
+    alignas(64) std::array<int, packet_size> valid{};
+    alignas(64) RTCRayHit16 rays;
+    bool any = false;
+    for (std::size_t i = 0; i < packet_size; ++i) {
+        Line const& line = lines[std::min(i, lines.size() - 1)]; // Embree reads all of a packet
+        double const per_unit = 1.0 / line.unit;
+        dvec3 const start = line.origin - state.centre;
+        std::optional<Reach> part;
+        if (i < lines.size() && is_line(line.origin, line.unit))
+            part = part_of(start, line.direction, per_unit, {0.0, INFINITY}, state.half, state.size,
+                           state.margin);
+        valid[i] = part ? -1 : 0;
+        any = any || part;
+        Reach const of_ray = part.value_or(Reach{});
+        RTCRayHit const ray =
+            part ? float_ray(start + of_ray.from * line.direction, per_unit * line.direction,
+                             static_cast<float>((of_ray.to - of_ray.from) * line.unit + state.margin))
+                 : float_ray(dvec3(0.0), dvec3(0.0, 0.0, 1.0), 0.0f);
+        query.asked[i] = {INFINITY, of_ray.from, line.unit, per_unit};
+        rays.ray.org_x[i] = ray.ray.org_x;
+        rays.ray.org_y[i] = ray.ray.org_y;
+        rays.ray.org_z[i] = ray.ray.org_z;
+        rays.ray.dir_x[i] = ray.ray.dir_x;
+        rays.ray.dir_y[i] = ray.ray.dir_y;
+        rays.ray.dir_z[i] = ray.ray.dir_z;
+        rays.ray.tnear[i] = ray.ray.tnear;
+        rays.ray.tfar[i] = ray.ray.tfar;
+        rays.ray.time[i] = ray.ray.time;
+        rays.ray.mask[i] = ray.ray.mask;
+        rays.ray.id[i] = ray.ray.id;
+        rays.ray.flags[i] = ray.ray.flags;
+        rays.hit.geomID[i] = ray.hit.geomID;
+        rays.hit.instID[0][i] = ray.hit.instID[0];
+    }
+    if (any)
+        intersect_packet(state.scene, query.embree, valid.data(), rays);
 }
 
 } // namespace sahl

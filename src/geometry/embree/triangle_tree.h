@@ -49,6 +49,27 @@ class TriangleTree {
             const_cast<void*>(static_cast<void const*>(&visitor)));
     }
 
+    /// A line from its start on, for ever.
+    struct Line {
+        dvec3 origin{0.0}, direction{0.0};
+        double unit = 0.0; // length of the direction
+    };
+    static constexpr std::size_t most_together = 16;
+    /// Can lines be asked about together? Not with an Embree that was built without packets.
+    bool visits_together() const;
+    /// The same for up to most_together lines that go much the same way: quicker than one by one. Calls
+    /// visitor(number, Proposal), the number being that of the line.
+    template <class Visitor>
+    void visit_together(std::span<Line const> lines, Visitor&& visitor) const {
+        using Plain = std::remove_reference_t<Visitor>;
+        visit_packet(
+            lines,
+            [](void* context, std::size_t line, Proposal const& proposal) {
+                return (*static_cast<Plain*>(context))(line, proposal);
+            },
+            const_cast<void*>(static_cast<void const*>(&visitor)));
+    }
+
     /// m: how far along the line a proposal of sure sense may lie from where its t says.
     double blur() const;
     /// m: how far from a triangle's plane, on the outer side, a line may start and pass for one that starts
@@ -59,6 +80,8 @@ class TriangleTree {
     using Callback = double (*)(void* context, Proposal const& proposal);
     void visit_triangles(dvec3 const& origin, dvec3 const& direction, double unit, Reach reach,
                          Callback callback, void* context) const;
+    using PacketCallback = double (*)(void* context, std::size_t line, Proposal const& proposal);
+    void visit_packet(std::span<Line const> lines, PacketCallback callback, void* context) const;
 
     struct State;
     std::unique_ptr<State> state_;

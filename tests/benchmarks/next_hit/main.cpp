@@ -32,6 +32,7 @@ constexpr Way ways[] = {
     {"exclude last triangle", exclude_last, true},
     {"sahl without contact", ours_without_contact, false},
     {"sahl", ours, false},
+    {"sahl in packets", ours_in_packets, false}, // where it is asked for
 };
 
 struct Options {
@@ -134,8 +135,9 @@ int main(int argc, char** argv) {
         std::vector<std::unique_ptr<Finder>> methods;
         std::vector<char const*> names;
         for (Way const& way : ways)
-            if ((!way.meshes_only || all_meshes(torture)) && (way.make == ours || all_closed(torture)) &&
-                (options.method.empty() || way.name == options.method)) {
+            if ((!way.meshes_only || all_meshes(torture)) &&
+                (way.make != ours_without_contact || all_closed(torture)) &&
+                (options.method.empty() ? way.make != ours_in_packets : way.name == options.method)) {
                 methods.push_back(way.make(torture));
                 names.push_back(way.name);
             }
