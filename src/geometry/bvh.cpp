@@ -206,8 +206,11 @@ void Bvh::look_ahead(std::span<Line const> lines, std::span<SeenAhead> seen) con
     InlineVector<MeshTree::Line, most_together> asked;
     for (Line const& line : lines) {
         Placed::LocalRay const ray = object.local(*line.origin, *line.direction);
-        asked.push_back(
-            {ray.origin, ray.direction, {*line.inside, object.geometry.first_shell}, ray.rounding});
+        asked.push_back({ray.origin,
+                         ray.direction,
+                         length(ray.direction),
+                         {*line.inside, object.geometry.first_shell},
+                         ray.rounding});
     }
     tree_of(object)->next_together({asked.begin(), asked.size()}, seen);
 }

@@ -161,26 +161,33 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
 }
 
 void MeshTree::next_together(std::span<Line const> lines, std::span<SeenAhead> seen) const {
-    std::array<TriangleTree::Line, TriangleTree::most_together> asked;
-    std::array<std::optional<MeshQuery>, TriangleTree::most_together> queries;
+    TriangleTree::Lines asked;
+    for (Line const& line : lines)
+        asked.add(line.origin, line.direction, line.unit);
+    std::array<std::optional<MeshQuery>, TriangleTree::most_together> queries; // of those that meet something
     std::array<double, TriangleTree::most_together> looked_to;
-    looked_to.fill(INFINITY);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        Line const& line = lines[i];
-        asked[i] = {line.origin, line.direction, length(line.direction)};
-        queries[i].emplace(*this, line.origin, line.direction, asked[i].unit, line.inside, 0.0, line.rounding,
-                           triangles_.blur() / asked[i].unit);
-    }
-    triangles_.visit_together(
-        std::span(asked).first(lines.size()), [&](std::size_t i, Proposal const& proposal) {
-            double const to =
-                queries[i]->take<MeshQuery::Ahead::numbers>(proposal.triangle, proposal.t, proposal.sense);
-            looked_to[i] = std::min(looked_to[i], to);
-            return to;
-        });
+    triangles_.visit_together(asked, [&](std::size_t i, Proposal const& proposal) {
+        std::optional<MeshQuery>& query = queries[i];
+        if (!query) {
+            Line const& line = lines[i];
+            query.emplace(*this, line.origin, line.direction, line.unit, line.inside, 0.0, line.rounding,
+                          triangles_.blur() / line.unit);
+            looked_to[i] = INFINITY;
+        }
+        double const to =
+            query->take<MeshQuery::Ahead::numbers>(proposal.triangle, proposal.t, proposal.sense);
+        looked_to[i] = std::min(looked_to[i], to);
+        return to;
+    });
     for (std::size_t i = 0; i < lines.size(); ++i)
-        queries[i]->ask_for_corners();
+        if (queries[i])
+            queries[i]->ask_for_corners();
     for (std::size_t i = 0; i < lines.size(); ++i) {
+        seen[i].crossing.reset();
+        if (!queries[i]) { // what it is in must be left
+            seen[i].known = !lines[i].inside.any_of(mesh_->shells.size());
+            continue;
+        }
         MeshAnswer answer;
         seen[i].known =
             queries[i]->settle(looked_to[i], answer) && (answer.crossing || looked_to[i] == INFINITY);

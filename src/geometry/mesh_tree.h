@@ -58,6 +58,11 @@ struct InsideShells {
     ShellSet const& set;
     ShellId first;
     bool operator[](std::uint32_t shell) const { return set.contains({first.value + shell}); }
+    bool any_of(std::size_t shells) const {
+        return std::any_of(set.begin(), set.end(), [&](ShellId shell) {
+            return shell.value >= first.value && shell.value - first.value < shells;
+        });
+    }
 };
 
 class MeshTree {
@@ -74,9 +79,10 @@ class MeshTree {
 
     /// A line that is asked about with others, from its start on.
     struct Line {
-        dvec3 origin{0.0}, direction{0.0};
+        dvec3 origin, direction;
+        double unit; // length of the direction
         InsideShells inside;
-        double rounding = 0.0;
+        double rounding;
     };
     /// For up to TriangleTree::most_together lines that go much the same way: of each the crossing that
     /// next() gives, where float leaves no doubt.

@@ -250,45 +250,89 @@ bool TriangleTree::visits_together() const {
     return state_->scene && takes_packets();
 }
 
-void TriangleTree::visit_packet(std::span<Line const> lines, PacketCallback callback, void* context) const {
-    State const& state = *state_;
-    PacketQuery query{{}, callback, context, state.margin, static_cast<float>(state.sure * state.sure), {}};
-    alignas(64) std::array<int, packet_size> valid{};
-    alignas(64) RTCRayHit16 rays;
-    bool any = false;
-    for (std::size_t i = 0; i < packet_size; ++i) {
-        Line const& line = lines[std::min(i, lines.size() - 1)]; // Embree reads all of a packet
-        double const per_unit = 1.0 / line.unit;
-        dvec3 const start = line.origin - state.centre;
-        std::optional<Reach> part;
-        if (i < lines.size() && is_line(line.origin, line.unit))
-            part = part_of(start, line.direction, per_unit, {0.0, INFINITY}, state.half, state.size,
-                           state.margin);
-        valid[i] = part ? -1 : 0;
-        any = any || part;
-        Reach const of_ray = part.value_or(Reach{});
-        RTCRayHit const ray =
-            part ? float_ray(start + of_ray.from * line.direction, per_unit * line.direction,
-                             static_cast<float>((of_ray.to - of_ray.from) * line.unit + state.margin))
-                 : float_ray(dvec3(0.0), dvec3(0.0, 0.0, 1.0), 0.0f);
-        query.asked[i] = {INFINITY, of_ray.from, line.unit, per_unit};
-        rays.ray.org_x[i] = ray.ray.org_x;
-        rays.ray.org_y[i] = ray.ray.org_y;
-        rays.ray.org_z[i] = ray.ray.org_z;
-        rays.ray.dir_x[i] = ray.ray.dir_x;
-        rays.ray.dir_y[i] = ray.ray.dir_y;
-        rays.ray.dir_z[i] = ray.ray.dir_z;
-        rays.ray.tnear[i] = ray.ray.tnear;
-        rays.ray.tfar[i] = ray.ray.tfar;
-        rays.ray.time[i] = ray.ray.time;
-        rays.ray.mask[i] = ray.ray.mask;
-        rays.ray.id[i] = ray.ray.id;
-        rays.ray.flags[i] = ray.ray.flags;
-        rays.hit.geomID[i] = ray.hit.geomID;
-        rays.hit.instID[0][i] = ray.hit.instID[0];
+namespace {
+
+using Numbers = TriangleTree::Lines::Numbers;
+
+/// The parts of a packet's lines that Embree is asked about.
+struct Parts {
+    alignas(64) std::array<Numbers, 3> start{}; // from the box's centre
+    alignas(64) Numbers from{}, to{}, per_unit{};
+    alignas(64) std::array<int, packet_size> valid{}; // as Embree has it
+
+    /// As part_of() has them, all at once: a line that starts in the box is cut by it, too.
+    Parts(TriangleTree::Lines const& lines, dvec3 const& centre, dvec3 const& half, double margin) {
+        Numbers sum{}; // not finite if anything is not
+        for (std::size_t i = 0; i < packet_size; ++i) {
+            per_unit[i] = 1.0 / lines.unit[i];
+            from[i] = -margin * per_unit[i];
+            to[i] = std::numeric_limits<double>::infinity();
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double const middle = centre[static_cast<int>(axis)], reach = half[static_cast<int>(axis)];
+            for (std::size_t i = 0; i < packet_size; ++i) {
+                double const along = lines.direction[axis][i], at = lines.origin[axis][i] - middle;
+                double const per_metre = 1.0 / along;
+                double const one = (-reach - at) * per_metre, other = (reach - at) * per_metre;
+                // comparisons with 0/0 are false: it constrains nothing; of the rounding the margin is wider
+                double const near = one < other ? one : other, far = one < other ? other : one;
+                from[i] = near > from[i] ? near : from[i];
+                to[i] = far < to[i] ? far : to[i];
+                start[axis][i] = at;
+                sum[i] += at + along;
+            }
+        }
+        for (std::size_t i = 0; i < packet_size; ++i) {
+            double const zero = (sum[i] - sum[i]) + (per_unit[i] - per_unit[i]);
+            bool const meets = from[i] <= to[i] && to[i] < std::numeric_limits<double>::infinity();
+            valid[i] = i < lines.count && meets && zero == 0.0 && per_unit[i] > 0.0 ? -1 : 0;
+        }
     }
-    if (any)
-        intersect_packet(state.scene, query.embree, valid.data(), rays);
+};
+
+/// Of lines that are not valid nothing matters, but that they are numbers.
+void fill(RTCRayHit16& rays, TriangleTree::Lines const& lines, Parts const& parts, double margin) {
+    float* const origin[3] = {rays.ray.org_x, rays.ray.org_y, rays.ray.org_z};
+    float* const direction[3] = {rays.ray.dir_x, rays.ray.dir_y, rays.ray.dir_z};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 0; i < packet_size; ++i) {
+            double const along = lines.direction[axis][i];
+            double const at = parts.start[axis][i] + parts.from[i] * along;
+            origin[axis][i] = parts.valid[i] ? static_cast<float>(at) : 0.0f;
+            direction[axis][i] = parts.valid[i] ? static_cast<float>(parts.per_unit[i] * along) : 1.0f;
+        }
+    for (std::size_t i = 0; i < packet_size; ++i) {
+        double const length = (parts.to[i] - parts.from[i]) * lines.unit[i] + margin;
+        rays.ray.tnear[i] = 0.0f;
+        rays.ray.tfar[i] = parts.valid[i] ? static_cast<float>(length) : 0.0f;
+        rays.ray.time[i] = 0.0f;
+        rays.ray.mask[i] = 0xFFFFFFFFu;
+        rays.ray.id[i] = rays.ray.flags[i] = 0;
+        rays.hit.geomID[i] = rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+} // namespace
+
+void TriangleTree::visit_packet(Lines const& lines, PacketCallback callback, void* context) const {
+    State const& state = *state_;
+    Parts const parts(lines, state.centre, state.half, state.margin);
+    int any = 0;
+    for (int const valid : parts.valid)
+        any |= valid;
+    if (!any)
+        return;
+    PacketQuery query;
+    query.callback = callback;
+    query.context = context;
+    query.margin = state.margin;
+    query.sure = static_cast<float>(state.sure * state.sure);
+    for (std::size_t i = 0; i < packet_size; ++i)
+        query.asked[i] = {std::numeric_limits<double>::infinity(), parts.from[i], lines.unit[i],
+                          parts.per_unit[i]};
+    alignas(64) RTCRayHit16 rays;
+    fill(rays, lines, parts, state.margin);
+    intersect_packet(state.scene, query.embree, parts.valid.data(), rays);
 }
 
 } // namespace sahl

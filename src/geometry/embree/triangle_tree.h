@@ -49,18 +49,29 @@ class TriangleTree {
             const_cast<void*>(static_cast<void const*>(&visitor)));
     }
 
-    /// A line from its start on, for ever.
-    struct Line {
-        dvec3 origin{0.0}, direction{0.0};
-        double unit = 0.0; // length of the direction
-    };
     static constexpr std::size_t most_together = 16;
+    /// Lines from their starts on, coordinate by coordinate, so that all are made ready at once. Those beyond
+    /// `count` have any numbers.
+    struct Lines {
+        using Numbers = std::array<double, most_together>;
+        std::size_t count = 0;
+        alignas(64) std::array<Numbers, 3> origin, direction;
+        alignas(64) Numbers unit; // lengths of the directions
+
+        void add(dvec3 const& start, dvec3 const& along, double length) {
+            for (int axis = 0; axis < 3; ++axis) {
+                origin[static_cast<std::size_t>(axis)][count] = start[axis];
+                direction[static_cast<std::size_t>(axis)][count] = along[axis];
+            }
+            unit[count++] = length;
+        }
+    };
     /// Can lines be asked about together? Not with an Embree that was built without packets.
     bool visits_together() const;
-    /// The same for up to most_together lines that go much the same way: quicker than one by one. Calls
+    /// visit() for lines that go much the same way, from 0 to ∞: quicker than one by one. Calls
     /// visitor(number, Proposal), the number being that of the line.
     template <class Visitor>
-    void visit_together(std::span<Line const> lines, Visitor&& visitor) const {
+    void visit_together(Lines const& lines, Visitor&& visitor) const {
         using Plain = std::remove_reference_t<Visitor>;
         visit_packet(
             lines,
@@ -81,7 +92,7 @@ class TriangleTree {
     void visit_triangles(dvec3 const& origin, dvec3 const& direction, double unit, Reach reach,
                          Callback callback, void* context) const;
     using PacketCallback = double (*)(void* context, std::size_t line, Proposal const& proposal);
-    void visit_packet(std::span<Line const> lines, PacketCallback callback, void* context) const;
+    void visit_packet(Lines const& lines, PacketCallback callback, void* context) const;
 
     struct State;
     std::unique_ptr<State> state_;
