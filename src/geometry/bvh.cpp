@@ -1,37 +1,14 @@
 #include "geometry/bvh.h"
 
-#include "geometry/embree/box_tree.h"
-#include "geometry/mesh_cluster.h"
+#include "geometry/bvh_state.h"
 #include "geometry/mesh_store.h"
 #include "geometry/pilot_curving.h"
-#include "geometry/placed.h"
 #include "geometry/survey.h"
-#include "geometry/touching.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <span>
-#include <tuple>
 
 namespace sahl {
-
-struct Bvh::State {
-    std::vector<Placed> objects;
-    std::vector<std::uint32_t> unbounded;
-    std::vector<std::uint32_t> bounded; // by index in the tree
-    std::optional<BoxTree> tree;        // where there are many bounded objects
-    std::optional<MeshCluster> cluster; // where there are few
-    std::uint32_t in_cluster = 0;       // a bit for each of `bounded`
-    Touching touch;                     // two candidates at one place
-    std::vector<MadeFlush> made_flush;
-    bool lone = false;                       // one object, no shell of which touches another
-    std::optional<std::uint32_t> seen_ahead; // the mesh that packets are asked about
-
-    void choose_mesh_for_packets();
-    NextHit next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, double from,
-                         SeenAhead const* ahead) const;
-};
 
 namespace {
 
@@ -39,48 +16,6 @@ MeshTree const* tree_of(Placed const& object) {
     auto const* const tree = std::get_if<std::shared_ptr<MeshTree const>>(&object.met_by);
     return tree ? tree->get() : nullptr;
 }
-
-/// What was seen ahead of an object's next crossing, as Placed::next gives it.
-double recall(Placed const& object, SeenAhead const& ahead, dvec3 const& origin, dvec3 const& direction,
-              double to, Candidate& found) {
-    if (ahead.crossing && ahead.crossing->t <= to)
-        found = object.candidate(*ahead.crossing, object.local(origin, direction));
-    return INFINITY;
-}
-
-/// Below this many objects asking each is quicker than a hierarchy of boxes (measured: six spheres against
-/// Embree).
-constexpr std::size_t few = 6;
-
-/// Four numbers in one register.
-using Lanes [[gnu::vector_size(32)]] = double;
-
-/// A line made ready for boxes: all axes at once; the fourth lane is no axis.
-struct Slabs {
-    Lanes origin, per_metre; // 1/direction
-    double margin;           // far above rounding
-
-    Slabs(dvec3 const& from, dvec3 const& direction)
-        : origin{from.x, from.y, from.z, 0.0}, per_metre{1.0 / direction.x, 1.0 / direction.y,
-                                                         1.0 / direction.z, 1.0},
-          margin(1e-12 * length(from)) {}
-
-    /// t where the line enters the box, or `from`, if it starts inside; ∞: it misses it.
-    double entry(Bounds const& box, double from, double to) const {
-        dvec3 const size = box.high - box.low;
-        double const room = margin + 1e-12 * (size.x + size.y + size.z);
-        Lanes const low{box.low.x, box.low.y, box.low.z, 0.0}, high{box.high.x, box.high.y, box.high.z, 0.0};
-        Lanes const one = (low - room - origin) * per_metre, other = (high + room - origin) * per_metre;
-        // comparisons with 0/0 are false: it constrains nothing
-        Lanes const near = one < other ? one : other, far = one < other ? other : one;
-        for (int axis = 0; axis < 3; ++axis) {
-            from = near[axis] > from ? near[axis] : from;
-            to = far[axis] < to ? far[axis] : to;
-        }
-        return from <= to ? from : INFINITY;
-    }
-    bool misses(Bounds const& box, double from, double to) const { return entry(box, from, to) == INFINITY; }
-};
 
 PatchKind patch_kind(Curving curving) {
     return curving == Curving::quadratic ? PatchKind::quadratic
@@ -163,16 +98,22 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
         PlacedGeometry kept = geometry;
         state_->objects[i] = place(std::move(kept), std::move(by));
     }
-    if (state_->bounded.size() > few) {
+    if (state_->bounded.size() > State::few) {
         std::vector<Bounds> boxes;
         for (std::uint32_t object : state_->bounded)
             boxes.push_back(state_->objects[object].box);
         state_->tree.emplace(boxes);
     } else {
+        for (std::size_t i = 0; i < state_->bounded.size(); ++i) {
+            Placed const& object = state_->objects[state_->bounded[i]];
+            state_->boxes[i / boxes_at_once].set(static_cast<int>(i % boxes_at_once), object.box);
+            state_->first_shell[i] = object.geometry.first_shell;
+        }
         state_->cluster = MeshCluster::of(state_->objects);
         for (std::size_t i = 0; state_->cluster && i < state_->bounded.size(); ++i)
             state_->in_cluster |= std::uint32_t(state_->cluster->holds(state_->bounded[i])) << i;
     }
+    state_->apart = state_->touch.none() && !state_->cluster;
     state_->lone = state_->objects.size() == 1 && !state_->touch.objects(0, 0);
     state_->choose_mesh_for_packets();
 }
@@ -215,199 +156,6 @@ void Bvh::look_ahead(std::span<Line const> lines, std::span<SeenAhead> seen) con
     tree_of(object)->next_together({asked.begin(), asked.size()}, seen);
 }
 
-/// A lone object is met directly: nothing lies before it, and nothing touches it.
-NextHit Bvh::State::next_of_lone(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
-                                 double from, SeenAhead const* ahead) const {
-    NextHit hit;
-    Candidate found;
-    double const contradiction =
-        ahead && ahead->known ? recall(objects.front(), *ahead, origin, direction, INFINITY, found)
-                              : objects.front().next(origin, direction, inside, {from, INFINITY}, {}, found);
-    if (found.t == INFINITY || contradiction < found.t) {
-        hit.proof = contradiction < INFINITY || !inside.empty() ? Proof::leak : Proof::clean;
-        hit.t = contradiction;
-        return hit;
-    }
-    hit.at_one_place.push_back(objects.front().finished(found, origin, direction, from));
-    hit.t = std::max(found.t, from);
-    hit.blur = found.blur;
-    hit.proof = found.recovered ? Proof::recovered : Proof::clean;
-    return hit;
-}
-
-namespace {
-
-/// The nearest crossings so far.
-struct Nearest {
-    InlineVector<Candidate, 16> candidates;
-    double horizon = INFINITY; // nothing beyond it can be at the nearest place
-    double dropped = INFINITY; // the nearest t that one for which there was no room may have
-
-    void take(Candidate const& found) {
-        if (candidates.full()) { // keep the nearer ones
-            auto* const farthest = std::max_element(candidates.begin(), candidates.end(),
-                                                    [](auto const& a, auto const& b) { return a.t < b.t; });
-            Candidate const& out = found.t >= farthest->t ? found : *farthest;
-            dropped = std::min(dropped, out.t - out.blur);
-            if (&out == &found)
-                return;
-            candidates.erase(farthest);
-        }
-        candidates.push_back(found);
-        horizon = std::min(horizon, found.t + 2.0 * std::min(found.blur, std::abs(found.t) + 1.0));
-    }
-};
-
-} // namespace
-
-NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
-                  double from, SeenAhead const* ahead) const {
-    State const& state = *state_;
-    if (state.lone && left.empty())
-        return state.next_of_lone(origin, direction, inside, from, ahead);
-    Nearest nearest_ones;
-    auto& candidates = nearest_ones.candidates;
-    double& horizon = nearest_ones.horizon;
-    double contradiction = INFINITY;
-
-    auto const take = [&](Candidate const& found) {
-        nearest_ones.take(found);
-        if (found.primitive < 0 || found.open || !state.touch(found, found))
-            return;
-        // another shell of the mesh lies on this one
-        Placed const& object = state.objects[found.object];
-        Candidate second;
-        object.next(origin, direction, object.after(found, inside), {found.t, horizon}, {}, second);
-        second.object = found.object;
-        if (second.t <= found.t + found.blur + second.blur && state.touch(second, second))
-            nearest_ones.take(second);
-    };
-    auto const ask = [&](std::uint32_t index) {
-        Placed const& object = state.objects[index];
-        std::optional<bool> above;
-        for (LeftSheet const& sheet : left)
-            if (sheet.object == index)
-                above = bool(sheet.above);
-        Candidate found;
-        bool const known = ahead && ahead->known && index == state.seen_ahead;
-        contradiction = std::min(
-            contradiction, known ? recall(object, *ahead, origin, direction, horizon, found)
-                                 : object.next(origin, direction, inside, {from, horizon}, above, found));
-        if (found.t == INFINITY)
-            return;
-        found.object = index;
-        take(found);
-    };
-
-    for (std::uint32_t const index : state.unbounded)
-        ask(index);
-    if (state.tree) {
-        state.tree->visit(origin, direction, {from, horizon}, [&](std::uint32_t box, double) {
-            ask(state.bounded[box]);
-            return horizon;
-        });
-    } else {
-        // what the ray is in must be left: asked first, that bounds the way to anything else
-        std::uint32_t asked = 0; // a bit each
-        static_assert(few <= 32);
-        std::size_t const count = state.bounded.size();
-        InlineVector<Candidate, MeshCluster::most> found;
-        InlineVector<std::uint32_t, MeshCluster::most> alone;
-        if (state.cluster &&
-            state.cluster->next(state.objects, origin, direction, inside, from, found, alone)) {
-            for (Candidate const& each : found)
-                take(each);
-            asked = state.in_cluster;
-            for (std::size_t i = 0; !alone.empty() && i < count; ++i)
-                if (std::find(alone.begin(), alone.end(), state.bounded[i]) != alone.end())
-                    asked &= ~(1u << i);
-        }
-        if (!inside.empty() || count == 1)
-            for (std::size_t i = 0; i < count; ++i)
-                if (!(asked >> i & 1u) &&
-                    (count == 1 || inside.contains(state.objects[state.bounded[i]].geometry.first_shell))) {
-                    ask(state.bounded[i]);
-                    asked |= 1u << i;
-                }
-        Slabs const slabs(origin, direction);
-        for (std::size_t i = 0; i < count; ++i)
-            if (!(asked >> i & 1u) && !slabs.misses(state.objects[state.bounded[i]].box, from, horizon))
-                ask(state.bounded[i]);
-    }
-
-    // a ray that starts closer to a face than float tells, and comes to it at a slope that float does not
-    // tell either: what touches there may not have been proposed
-    for (std::size_t i = 0, count = candidates.size(); i < count; ++i) {
-        std::span<std::uint32_t const> const touching = state.touch.at(candidates[i]);
-        Candidate const& found = candidates[i];
-        if (touching.empty() || !state.objects[found.object].grazes(found, origin, direction))
-            continue;
-        for (std::uint32_t const other : touching) {
-            bool const known = std::any_of(candidates.begin(), candidates.end(),
-                                           [&](Candidate const& c) { return c.object == other; });
-            Candidate second;
-            if (!known)
-                state.objects[other].next_exact(origin, direction, inside, {from, horizon}, second);
-            second.object = other;
-            if (second.t < INFINITY)
-                take(second);
-        }
-    }
-
-    NextHit hit;
-    if (candidates.empty()) {
-        hit.proof = contradiction < INFINITY || !inside.empty() ? Proof::leak : Proof::clean;
-        hit.t = contradiction;
-        return hit;
-    }
-    if (candidates.size() == 1 && contradiction == INFINITY) { // as nearly always
-        Candidate const& only = candidates.front();
-        hit.at_one_place.push_back(state.objects[only.object].finished(only, origin, direction, from));
-        hit.t = std::max(only.t, from);
-        hit.blur = only.blur;
-        hit.proof = only.recovered ? Proof::recovered : Proof::clean;
-        return hit;
-    }
-    auto const rank = [&](Candidate const& c) {
-        // bodies are left before others are entered: what only seems to overlap by rounding does not
-        return std::tuple(!state.objects[c.object].geometry.detector, !c.open, !c.open && c.enters, c.object);
-    };
-    Candidate const nearest =
-        *std::min_element(candidates.begin(), candidates.end(), [&](auto const& a, auto const& b) {
-            return std::pair(a.t, rank(a)) < std::pair(b.t, rank(b));
-        });
-    // at the same place as well: what a torn mesh lies on does not hide that it was entered through a hole
-    if (contradiction < INFINITY && contradiction <= nearest.t + nearest.blur) {
-        hit.proof = Proof::leak;
-        hit.t = contradiction;
-        return hit;
-    }
-    hit.fits = nearest_ones.dropped > nearest.t + nearest.blur;
-    // in the order in which they count
-    std::sort(candidates.begin(), candidates.end(),
-              [&](auto const& a, auto const& b) { return rank(a) < rank(b); });
-    InlineVector<Candidate, 8> together;
-    for (Candidate const& c : candidates) {
-        if (c.object != nearest.object && c.t > nearest.t + nearest.blur + c.blur)
-            continue;
-        if (c.object != nearest.object && !state.touch(c, nearest)) {
-            hit.fits = hit.fits && !(c.open && hit.beside.full());
-            if (c.open && hit.fits)
-                hit.beside.push_back({c.object, c.enters});
-        } else if (!together.full()) {
-            together.push_back(c);
-        } else {
-            hit.fits = false;
-        }
-    }
-    for (Candidate const& c : together)
-        hit.at_one_place.push_back(state.objects[c.object].finished(c, origin, direction, from));
-    hit.t = std::max(nearest.t, from);
-    hit.blur = nearest.blur;
-    hit.proof = nearest.recovered ? Proof::recovered : Proof::clean;
-    return hit;
-}
-
 LeftSheets Bvh::still_there(LeftSheets const& left, dvec3 const& point) const {
     LeftSheets there;
     for (LeftSheet const& sheet : left)
@@ -424,6 +172,7 @@ Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
     };
     for (std::uint32_t const index : state_->unbounded)
         ask(index);
+    Slabs const slabs(point, direction);
     std::vector<std::uint32_t> near;
     if (state_->tree)
         state_->tree->visit(point, direction, {-margin, margin}, [&](std::uint32_t box, double to) {
@@ -431,9 +180,12 @@ Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
             return to;
         });
     else
-        for (Slabs const slabs(point, direction); std::uint32_t const index : state_->bounded)
-            if (!slabs.misses(state_->objects[index].box, -margin, margin))
-                near.push_back(index);
+        for (std::size_t i = 0; i < state_->bounded.size(); ++i) {
+            std::array<double, boxes_at_once> entry;
+            slabs.entries(state_->boxes[i / boxes_at_once], -margin, margin, entry.data());
+            if (entry[i % boxes_at_once] < INFINITY)
+                near.push_back(state_->bounded[i]);
+        }
     std::sort(near.begin(), near.end()); // the order must not depend on how boxes are found
     for (std::uint32_t const index : near)
         ask(index);

@@ -4,8 +4,6 @@
 #include "geometry/recognise.h"
 #include "math/overloaded.h"
 
-#include <limits>
-
 namespace sahl {
 
 namespace {
@@ -15,10 +13,6 @@ using Sheet = std::shared_ptr<MeshSheet const>;
 using Curved = std::shared_ptr<RevolvedSheet const>;
 using Patches = std::shared_ptr<CurvedTree const>;
 using OpenPatches = std::shared_ptr<CurvedSheet const>;
-
-/// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the
-/// world and back, and solving for t, round some ten times each; the rest is margin.
-constexpr double start_ulps = 64.0 * std::numeric_limits<double>::epsilon();
 
 Bounds world_box(dvec3 const& low, dvec3 const& high, Affine const& to_world) {
     Bounds box{dvec3(INFINITY), dvec3(-INFINITY)};
@@ -91,10 +85,12 @@ Placed place(PlacedGeometry geometry, MeshMeeting by) {
                   {},
                   inverse(to_world),
                   !(to_world == Affine{}),
+                  false,
                   0.0,
                   0.0,
                   {},
                   true};
+    placed.turned = to_world.linear != dmat3(1.0);
     placed.bounded = std::isfinite(box.second.x);
     placed.extent = length(glm::max(glm::abs(box.first), glm::abs(box.second)));
     placed.rounding = start_ulps * ((placed.bounded ? placed.extent : 0.0) + length(placed.to_local.offset));
@@ -127,12 +123,6 @@ std::optional<Placed> recognised(Placed const& placed) {
     return as_solid;
 }
 
-Placed::LocalRay Placed::local(dvec3 const& origin, dvec3 const& direction) const {
-    dvec3 const o = moved ? to_local.point(origin) : origin;
-    double const distance = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); // at least the length of o
-    return {o, moved ? to_local.vector(direction) : direction, rounding + start_ulps * distance};
-}
-
 namespace {
 
 /// Met straight on, a triangle has no extent along the line: what is left is rounding.
@@ -143,47 +133,41 @@ double least_blur(Placed::LocalRay const& ray) {
 } // namespace
 
 Candidate Placed::candidate(MeshCrossing const& c, LocalRay const& ray) const {
-    return {c.t,
-            std::max(c.blur(ray.rounding), least_blur(ray)),
-            0,
-            mesh()->face_of(c.triangle),
-            static_cast<std::int32_t>(c.triangle),
-            c.uv,
-            c.normal,
-            false,
-            c.enters,
-            c.recovered,
-            c.well_within};
+    Candidate found;
+    found.set(c.t, std::max(c.blur(ray.rounding), least_blur(ray)), mesh()->face_of(c.triangle), false,
+              c.enters, c.triangle, c.uv, c.normal);
+    found.recovered = c.recovered;
+    found.well_within = c.well_within;
+    return found;
 }
 
-double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
-                    std::optional<bool> above, Candidate& found) const {
-    LocalRay const ray = local(origin, direction);
+double Placed::next_of(Shape const& sheet, LocalRay const& ray, Reach reach, std::optional<bool> above,
+                       Candidate& found) const {
+    if (above && *above == (ray.direction.z > 0.0)) // it goes away from the whole plane
+        return INFINITY;
+    if (auto const t = meet(sheet, ray.origin, ray.direction)) {
+        double const blur = ray.rounding / std::abs(ray.direction.z);
+        if (*t >= reach.from - blur && *t <= reach.to)
+            found.set(*t, blur, 0, true, ray.direction.z < 0.0);
+    }
+    return INFINITY;
+}
+
+double Placed::next_of(Solid const& solid, LocalRay const& ray, ShellSet const& inside, Reach reach,
+                       Candidate& found) const {
+    bool const in = inside.contains(geometry.first_shell);
+    auto const c = solid.next(ray.origin, ray.direction, in, reach.from, ray.rounding);
+    if (!c)
+        return in ? reach.from : INFINITY;
+    if (c->t <= reach.to)
+        found.set(c->t, c->slope > 0.0 ? ray.rounding / c->slope : INFINITY, c->face, false, c->enters);
+    return INFINITY;
+}
+
+double Placed::next_of_others(LocalRay const& ray, ShellSet const& inside, Reach reach,
+                              std::optional<bool> above, Candidate& found) const {
     return std::visit(
         Overloaded{
-            [&](Shape const& sheet) {
-                if (above && *above == (ray.direction.z > 0.0)) // it goes away from the whole plane
-                    return INFINITY + 0.0;
-                if (auto const t = meet(sheet, ray.origin, ray.direction)) {
-                    double const blur = ray.rounding / std::abs(ray.direction.z);
-                    if (*t >= reach.from - blur && *t <= reach.to)
-                        found = Candidate{*t, blur, 0, 0, -1, {}, {}, true, ray.direction.z < 0.0};
-                }
-                return INFINITY + 0.0;
-            },
-            [&](Solid const& solid) {
-                bool const in = inside.contains(geometry.first_shell);
-                auto const c = solid.next(ray.origin, ray.direction, in, reach.from, ray.rounding);
-                if (!c)
-                    return in ? reach.from : INFINITY + 0.0;
-                if (c->t <= reach.to)
-                    found = Candidate{c->t,     c->slope > 0.0 ? ray.rounding / c->slope : INFINITY,
-                                      0,        c->face,
-                                      -1,       {},
-                                      {},       false,
-                                      c->enters};
-                return INFINITY + 0.0;
-            },
             [&](Tree const& tree) {
                 MeshAnswer const answer = tree->next(ray.origin, ray.direction,
                                                      {inside, geometry.first_shell}, reach, ray.rounding);
@@ -201,7 +185,7 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                     if (left || root.t < reach.from - blur ||
                         !curved->covers(ray.origin + root.t * ray.direction))
                         continue;
-                    found = Candidate{root.t, blur, 0, 0, -1, {}, {}, true, !root.rises};
+                    found.set(root.t, blur, 0, true, !root.rises);
                     break;
                 }
                 return INFINITY + 0.0;
@@ -211,19 +195,12 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
                     ray.origin, ray.direction, {inside, geometry.first_shell}, reach, ray.rounding);
                 if (auto const& c = answer.crossing) {
                     double const blur = patches->blur(ray.rounding);
-                    found = Candidate{c->t,
-                                      c->slope > 0.0 ? std::max(blur / c->slope, least_blur(ray)) : INFINITY,
-                                      0,
-                                      patches->mesh().face_of(c->triangle),
-                                      static_cast<std::int32_t>(c->triangle),
-                                      c->uv,
-                                      c->normal,
-                                      false,
-                                      c->enters,
-                                      c->recovered,
-                                      false,
-                                      c->point,
-                                      c->geometric};
+                    found.set(c->t, c->slope > 0.0 ? std::max(blur / c->slope, least_blur(ray)) : INFINITY,
+                              patches->mesh().face_of(c->triangle), false, c->enters, c->triangle, c->uv,
+                              c->normal);
+                    found.recovered = c->recovered;
+                    found.point = c->point;
+                    found.geometric = c->geometric;
                 }
                 return answer.contradiction;
             },
@@ -248,17 +225,12 @@ double Placed::next(dvec3 const& origin, dvec3 const& direction, ShellSet const&
             },
             [&](Sheet const& sheet) {
                 if (auto const m = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
-                    found = Candidate{m->t,
-                                      std::max(m->blur(ray.rounding), least_blur(ray)),
-                                      0,
-                                      sheet->mesh().face_of(m->triangle),
-                                      static_cast<std::int32_t>(m->triangle),
-                                      m->uv,
-                                      sheet->normal(m->triangle),
-                                      true,
-                                      m->against};
+                    found.set(m->t, std::max(m->blur(ray.rounding), least_blur(ray)),
+                              sheet->mesh().face_of(m->triangle), true, m->against, m->triangle, m->uv,
+                              sheet->normal(m->triangle));
                 return INFINITY + 0.0;
             },
+            [](auto const&) { return INFINITY + 0.0; },
         },
         met_by);
 }
@@ -358,8 +330,8 @@ dvec3 smooth_normal(TriangleSoup const& soup, std::uint32_t triangle, dvec2 cons
 
 } // namespace
 
-Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction,
-                          double from) const {
+void Placed::finish(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction, double from,
+                    Crossing& crossing) const {
     LocalRay const ray = local(origin, direction);
     double const t = std::max(candidate.t, from);
     dvec3 point = ray.origin + t * ray.direction;
@@ -395,7 +367,6 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
                    },
                },
                met_by);
-    Crossing crossing;
     crossing.t = t;
     crossing.face = {geometry.first_face.value + local_face(candidate.face)};
     crossing.shell = geometry.first_shell;
@@ -415,7 +386,6 @@ Crossing Placed::finished(Candidate const& candidate, dvec3 const& origin, dvec3
         crossing.facet_normal = normalize(normals_to_world * facet);
         crossing.normal = normal == facet ? crossing.facet_normal : normalize(normals_to_world * normal);
     }
-    return crossing;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "geometry/sheet.h"
 #include "geometry/solid.h"
 
+#include <limits>
 #include <optional>
 
 namespace sahl {
@@ -22,15 +23,39 @@ struct Candidate {
     std::uint32_t object = 0;
     std::uint32_t face = 0; // local number
     std::int32_t primitive = -1;
-    dvec2 uv{0.0};
-    dvec3 normal{0.0}; // of a triangle: local, unit, out of the shell's volume
+    dvec2 uv;     // of a triangle
+    dvec3 normal; // of a triangle: local, unit, out of the shell's volume
     bool open = false;
     bool enters = false;
     bool recovered = false;   // met by a line that misses it by no more than rounding
     bool well_within = false; // a triangle, far from its border
     // of a curved mesh: local, where it is met, and the surface's own normal; `normal` is that for light
-    dvec3 point{0.0}, geometric{0.0};
+    dvec3 point, geometric;
+
+    Candidate() {} // by hand: the compiler's own would clear the vectors too
+    /// Of an exact shape.
+    void set(double at, double may_shift, std::uint32_t of_face, bool of_sheet, bool inward) {
+        t = at;
+        blur = may_shift;
+        face = of_face;
+        primitive = -1;
+        open = of_sheet;
+        enters = inward;
+        recovered = well_within = false;
+    }
+    /// Of a mesh.
+    void set(double at, double may_shift, std::uint32_t of_face, bool of_sheet, bool inward,
+             std::uint32_t triangle, dvec2 const& place, dvec3 const& across) {
+        set(at, may_shift, of_face, of_sheet, inward);
+        primitive = static_cast<std::int32_t>(triangle);
+        uv = place;
+        normal = across;
+    }
 };
+
+/// Ulps of the coordinates involved within which a ray is still where it started: carrying a point to the
+/// world and back, and solving for t, round some ten times each; the rest is margin.
+constexpr double start_ulps = 64.0 * std::numeric_limits<double>::epsilon();
 
 struct Placed {
     PlacedGeometry geometry;
@@ -41,6 +66,7 @@ struct Placed {
     std::vector<std::uint32_t> face_of_region{}; // of a mesh recognised as a solid: its faces, of the mesh's
     Affine to_local{};
     bool moved = false;    // to_world is not the identity
+    bool turned = false;   // nor a shift
     double rounding = 0.0; // m, local: at a start near the geometry's own origin; grows with distance
     double extent = 0.0;   // m, local: how far it reaches from its origin; ∞ for a plane
     Bounds box;            // world
@@ -50,7 +76,11 @@ struct Placed {
         dvec3 origin, direction;
         double rounding;
     };
-    LocalRay local(dvec3 const& origin, dvec3 const& direction) const;
+    LocalRay local(dvec3 const& origin, dvec3 const& direction) const {
+        dvec3 const o = turned ? to_local.point(origin) : moved ? origin + to_local.offset : origin;
+        double const distance = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); // at least the length of o
+        return {o, turned ? to_local.vector(direction) : direction, rounding + start_ulps * distance};
+    }
 
     /// Of a closed mesh.
     Candidate candidate(MeshCrossing const& crossing, LocalRay const& ray) const;
@@ -59,7 +89,15 @@ struct Placed {
     /// what is met contradicts `inside` (∞: nothing does).
     ///   above   of an open geometry that the ray starts on: on which side
     double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
-                std::optional<bool> above, Candidate& found) const;
+                std::optional<bool> above, Candidate& found) const {
+        LocalRay const ray = local(origin, direction);
+        // what most scenes are made of first, each a short function of its own
+        if (Solid const* const solid = std::get_if<Solid>(&met_by))
+            return next_of(*solid, ray, inside, reach, found);
+        if (Shape const* const sheet = std::get_if<Shape>(&met_by))
+            return next_of(*sheet, ray, reach, above, found);
+        return next_of_others(ray, inside, reach, above, found);
+    }
 
     /// Is it met at a slope so small that float does not tell its sign?
     bool grazes(Candidate const& found, dvec3 const& origin, dvec3 const& direction) const {
@@ -80,10 +118,10 @@ struct Placed {
     /// Of an open geometry: is the place on it, of a flat one on its plane?
     bool lies_at(dvec3 const& point) const;
 
-    /// The crossing with its point and normals in the world. What rounding puts before `from` is met there: a
+    /// Writes the crossing with its point and normals in the world. What rounding puts before `from` is met there: a
     /// ray that went back along a face that it grazes would come out beside it.
-    Crossing finished(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction,
-                      double from) const;
+    void finish(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction, double from,
+                Crossing& crossing) const;
 
     /// See Bvh::turning; the face by its local number.
     dmat3 turning(std::uint32_t face, std::int32_t primitive, dvec3 const& point, dvec3 const& normal) const;
@@ -94,6 +132,12 @@ struct Placed {
         return face_of_region.empty() ? face : face_of_region[face];
     }
     Carriers carriers(std::uint32_t face) const; // of an exact shape
+    double next_of(Solid const& solid, LocalRay const& ray, ShellSet const& inside, Reach reach,
+                   Candidate& found) const;
+    double next_of(Shape const& sheet, LocalRay const& ray, Reach reach, std::optional<bool> above,
+                   Candidate& found) const;
+    double next_of_others(LocalRay const& ray, ShellSet const& inside, Reach reach, std::optional<bool> above,
+                          Candidate& found) const;
     Mesh const* mesh() const;                    // none: an exact shape
     bool exact() const { return !mesh(); }
 };

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "geometry/shape.h"
-#include "math/overloaded.h"
 
 #include <cmath>
 #include <optional>
@@ -10,20 +9,14 @@
 namespace sahl {
 
 /// Is (x, y) on the sheet? Its border belongs to it.
-inline bool covers(Shape const& sheet, double x, double y) {
-    return std::visit(Overloaded{
-                          [](Plane const&) { return true; },
-                          [&](Rectangle const& s) {
-                              return std::abs(x) <= 0.5 * s.size.x && std::abs(y) <= 0.5 * s.size.y;
-                          },
-                          [&](Disk const& s) {
-                              double const squared = x * x + y * y;
-                              return squared <= s.radius * s.radius &&
-                                     squared >= s.hole_radius * s.hole_radius;
-                          },
-                          [](auto const&) { return false; },
-                      },
-                      sheet);
+inline bool covers(Shape const& sheet, double x, double y) { // a visit would be a call through a table
+    if (auto const* const rectangle = std::get_if<Rectangle>(&sheet))
+        return std::abs(x) <= 0.5 * rectangle->size.x && std::abs(y) <= 0.5 * rectangle->size.y;
+    if (auto const* const disk = std::get_if<Disk>(&sheet)) {
+        double const squared = x * x + y * y;
+        return squared <= disk->radius * disk->radius && squared >= disk->hole_radius * disk->hole_radius;
+    }
+    return std::holds_alternative<Plane>(sheet);
 }
 
 /// t of the meeting, of either sign; empty where the ray runs along the sheet or past it.

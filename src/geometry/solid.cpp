@@ -189,6 +189,16 @@ std::optional<SolidCrossing> Solid::next(dvec3 const& origin, dvec3 const& direc
         }
         return std::nullopt;
     }
+    if (regions_.size() == 1) { // a sphere
+        Chord const chord = chord_of(regions_.front(), origin, direction, rounding);
+        if (inside)
+            return leaving({chord.leave, chord.slope, 0, false}, from, rounding);
+        bool const ahead =
+            (chord.enter - from) * chord.slope >= -rounding && (chord.leave - from) * chord.slope > rounding;
+        return !chord.missed && chord.enter < chord.leave && ahead
+                   ? std::optional(SolidCrossing{chord.enter, chord.slope, 0, true})
+                   : std::nullopt;
+    }
     SolidCrossing enter{-INFINITY, 1.0, 0, true}, leave{INFINITY, 1.0, 0, false};
     for (std::uint32_t face = 0; face < regions_.size(); ++face) {
         Chord const chord = chord_of(regions_[face], origin, direction, rounding);

@@ -52,7 +52,8 @@ Way way_through(std::span<Placed const> objects, std::uint32_t index, dvec3 cons
         if (crossed.at.t == INFINITY)
             break;
         crossed.at.object = index;
-        Crossing const crossing = object.finished(crossed.at, origin, direction, from);
+        Crossing crossing;
+        object.finish(crossed.at, origin, direction, from, crossing);
         crossed.normal = crossing.facet_normal;
         crossed.slope = std::abs(dot(crossing.facet_normal, direction));
         if (!crossing.open) {

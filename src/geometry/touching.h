@@ -39,6 +39,8 @@ class Touching {
                                   std::pair<std::uint32_t, std::uint32_t>(std::minmax(one, other)));
     }
 
+    bool none() const { return objects_.empty(); }
+
     /// Pairs of faces, each once; of meshes those faces that have triangles in contact.
     std::vector<std::pair<FaceId, FaceId>> const& faces() const { return faces_; }
 

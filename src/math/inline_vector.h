@@ -48,6 +48,11 @@ class InlineVector {
         assert(size_ < Capacity);
         ::new (static_cast<void*>(items_ + size_++)) T(item);
     }
+    /// One more, as its default constructor leaves it.
+    T& emplace_back() {
+        assert(size_ < Capacity);
+        return *::new (static_cast<void*>(items_ + size_++)) T;
+    }
     /// Before the first item that `less` puts behind it: keeps an ordered vector ordered.
     template <class Less>
     void insert_sorted(T const& item, Less&& less) {
