@@ -33,14 +33,14 @@ struct Bvh::State {
     std::vector<std::uint32_t> bounded; // by index in the tree
     std::optional<BoxTree> tree;        // where there are many bounded objects
     static constexpr std::size_t rows = (few + boxes_at_once - 1) / boxes_at_once;
-    std::array<BoxRow, rows> boxes{};           // where there are few: of `bounded`
-    std::array<ShellId, few> first_shell{};     // the same; of an open one any
-    std::optional<MeshCluster> cluster;         // the same
-    std::uint32_t in_cluster = 0;               // a bit for each of `bounded`
-    Touching touch;                             // two candidates at one place
+    std::array<BoxRow, rows> boxes{};       // where there are few: of `bounded`
+    std::array<ShellId, few> first_shell{}; // the same; of an open one any
+    std::optional<MeshCluster> cluster;     // the same
+    std::uint32_t in_cluster = 0;           // a bit for each of `bounded`
+    Touching touch;                         // two candidates at one place
     std::vector<MadeFlush> made_flush;
-    bool lone = false;  // one object, no shell of which touches another
-    bool apart = false; // nothing touches anything, and no meshes share a tree
+    bool lone = false;                       // one object, no shell of which touches another
+    bool apart = false;                      // nothing touches anything, and no meshes share a tree
     std::optional<std::uint32_t> seen_ahead; // the mesh that packets are asked about
 
     /// Calls ask(object) for all that the line may meet from `from` on, roughly nearest first, but for what

@@ -109,10 +109,16 @@ class MeshTree {
         auto const& positions = mesh_->soup.positions;
         return {positions[a], positions[b], positions[c]};
     }
-    /// Asks for a triangle's corners ahead of their use.
+    /// Asks for a triangle's corners ahead of their use, and for its vertices' normals.
     void prefetch(std::uint32_t triangle) const {
-        for (std::uint32_t const corner : outward_[triangle])
+        auto const& corners_of = outward_[triangle];
+        for (std::uint32_t const corner : corners_of)
             __builtin_prefetch(&mesh_->soup.positions[corner]);
+        if (mesh_->soup.normals.empty())
+            return;
+        __builtin_prefetch(&mesh_->soup.triangles[triangle]);
+        for (std::uint32_t const corner : corners_of)
+            __builtin_prefetch(&mesh_->soup.normals[corner]);
     }
     /// Asks for the numbers of its corners, and of its vertices' normals.
     void prefetch_numbers(std::uint32_t triangle) const {

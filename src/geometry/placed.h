@@ -118,8 +118,8 @@ struct Placed {
     /// Of an open geometry: is the place on it, of a flat one on its plane?
     bool lies_at(dvec3 const& point) const;
 
-    /// Writes the crossing with its point and normals in the world. What rounding puts before `from` is met there: a
-    /// ray that went back along a face that it grazes would come out beside it.
+    /// Writes the crossing with its point and normals in the world. What rounding puts before `from` is met
+    /// there: a ray that went back along a face that it grazes would come out beside it.
     void finish(Candidate const& candidate, dvec3 const& origin, dvec3 const& direction, double from,
                 Crossing& crossing) const;
 
@@ -138,7 +138,7 @@ struct Placed {
                    Candidate& found) const;
     double next_of_others(LocalRay const& ray, ShellSet const& inside, Reach reach, std::optional<bool> above,
                           Candidate& found) const;
-    Mesh const* mesh() const;                    // none: an exact shape
+    Mesh const* mesh() const; // none: an exact shape
     bool exact() const { return !mesh(); }
 };
 

@@ -15,8 +15,8 @@ using Lanes [[gnu::vector_size(32)]] = double;
 
 constexpr std::size_t boxes_at_once = 4;
 
-/// Boxes, one in each lane, grown by a share of their sizes that is far above rounding. Lanes that are not set
-/// are met by no line.
+/// Boxes, one in each lane, grown by a share of their sizes that is far above rounding. Lanes that are not
+/// set are met by no line.
 struct BoxRow {
     std::array<Lanes, 3> low, high; // by axis
     BoxRow() {

@@ -27,12 +27,12 @@ SourceSpec source_of(std::vector<double> const& wavelengths) {
     return source;
 }
 
-/// Every second bit: x or y of place `index` along Morton's curve, which keeps neighbours together.
+/// Every second bit: x or y of place `index` < 2¹⁶ along Morton's curve, which keeps neighbours together.
 std::uint32_t every_second_bit(std::uint32_t index) {
-    std::uint32_t bits = 0;
-    for (std::uint32_t bit = 0; bit < 16; ++bit)
-        bits |= (index >> (2 * bit) & 1U) << bit;
-    return bits;
+    std::uint32_t bits = index & 0x5555U;
+    bits = (bits | bits >> 1U) & 0x3333U;
+    bits = (bits | bits >> 2U) & 0x0F0FU;
+    return (bits | bits >> 4U) & 0xFFU;
 }
 
 double difference(dvec3 const& a, dvec3 const& b) {
@@ -53,6 +53,14 @@ bool disperses(Scene const& scene) {
                        [](Medium const& medium) { return disperses(medium); });
 }
 
+namespace {
+
+bool many_wavelengths(Scene const& scene, PictureOptions const& options) {
+    return options.wavelengths > 1 || (options.wavelengths == 0 && disperses(scene));
+}
+
+} // namespace
+
 struct PictureMaker::Tile {
     struct Sample {
         std::uint32_t x, y;
@@ -66,19 +74,23 @@ struct PictureMaker::Tile {
 
 PictureMaker::PictureMaker(Scene& scene, Picture const& picture, TraceOptions const& trace,
                            LightMap const* caustics)
-    : picture_(picture), camera_(*picture.camera), samples_(picture.options, trace.seed),
+    : picture_(picture), camera_(*picture.camera),
+      samples_(picture.options, trace.seed, picture.camera->lens_radius > 0.0,
+               many_wavelengths(scene, picture.options)),
       sky_(picture.background), textures_(scene), trace_(trace), scene_(scene), caustics_(caustics),
       tiles_across_((picture.camera->columns + tile_side - 1) / tile_side),
       tiles_down_((picture.camera->rows + tile_side - 1) / tile_side) {
     std::uint32_t const asked = picture.options.wavelengths;
     std::vector<double> wavelengths(one_tree_wavelengths.begin(), one_tree_wavelengths.end());
-    if (asked > 1 || (asked == 0 && sahl::disperses(scene))) {
+    if (many_wavelengths(scene, picture.options)) {
         lines_ = std::max(asked == 0 ? lines_of_a_sample : asked, 3U); // one in each band, at least
         all_by_lines_ = asked > 1;
         spectrum_.emplace(spectral_lines);
         wavelengths.insert(wavelengths.end(), spectrum_->wavelengths().begin(),
                            spectrum_->wavelengths().end());
     }
+    for (Body const& body : scene.bodies)
+        to_objects_.push_back(inverse(body.to_world));
     for (Medium const& medium : scene.media)
         dispersive_.push_back(sahl::disperses(medium));
     scene.sources = {source_of(wavelengths)};
@@ -99,6 +111,7 @@ void PictureMaker::render_tile(Film& film, std::uint64_t number, std::uint32_t f
     std::uint32_t const top = static_cast<std::uint32_t>(number / tiles_across_) * tile_side;
     Tile tile;
     tile.first_ray = number << 32U | std::uint64_t{first} << 24U;
+    tile.samples.reserve(std::size_t{tile_side} * tile_side * (end - first));
     for (std::uint32_t place = 0; place < tile_side * tile_side; ++place) {
         std::uint32_t const x = left + every_second_bit(place), y = top + every_second_bit(place >> 1);
         std::uint64_t const pixel = std::uint64_t{y} * film.columns + x;
@@ -111,6 +124,7 @@ void PictureMaker::render_tile(Film& film, std::uint64_t number, std::uint32_t f
         }
     }
     std::vector<Ray> rays;
+    rays.reserve(tile.samples.size());
     for (Tile::Sample const& sample : tile.samples)
         rays.push_back({sample.ray.origin, sample.ray.direction, 1.0, {0}, {0}});
     tile.views = look(rays, tile.first_ray, false, ended);
@@ -123,7 +137,8 @@ std::vector<RayView> PictureMaker::look(std::span<Ray const> rays, std::uint64_t
                                         EventCounts& ended) const {
     TraceContext const context{scene_, *optics_, *nothing_, trace_, SumUnit::for_total(1.0)};
     double const step = 1.0 / std::sqrt(static_cast<double>(picture_.options.samples));
-    TreeShader shader({scene_, *optics_, picture_, sky_, dispersive_, textures_, camera_, step, caustics_},
+    TreeShader shader({scene_, *optics_, picture_, sky_, dispersive_, textures_, to_objects_, camera_, step,
+                       caustics_},
                       one_tree_channels, by_lines);
     EventCounts const counts = trace_rays(context, first, rays, shader, start_ ? &*start_ : nullptr);
     for (std::size_t i = 0; i < counts.size(); ++i)

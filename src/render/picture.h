@@ -57,6 +57,7 @@ class PictureMaker {
     std::uint32_t lines_ = 1;          // trees of a sample that met a medium that disperses
     bool all_by_lines_ = false;        // and of any other
     std::vector<bool> dispersive_;     // media
+    std::vector<Affine> to_objects_;   // by body
     std::unique_ptr<WavelengthTable const> optics_;
     std::unique_ptr<Emission const> nothing_; // of a picture's context, which has no source
     TraceOptions trace_;

@@ -87,10 +87,10 @@ FilterPlaces::Place FilterPlaces::at(double u) const {
     return {x, std::abs(x) > changes_sign_ ? -1.0 : 1.0};
 }
 
-PixelSamples::PixelSamples(PictureOptions const& options, std::uint64_t seed)
+PixelSamples::PixelSamples(PictureOptions const& options, std::uint64_t seed, bool lens, bool turns)
     : pattern_(options.pattern), samples_(options.samples),
       side_(static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(options.samples)) - 1e-9))),
-      seed_(seed), filter_(options.filter) {}
+      seed_(seed), lens_(lens), turns_(turns), filter_(options.filter) {}
 
 dvec2 PixelSamples::square(std::uint64_t pixel, std::uint32_t index) const {
     if (pattern_ == SamplePattern::sobol)
@@ -112,7 +112,10 @@ PixelSample PixelSamples::at(std::uint64_t pixel, std::uint32_t index) const {
     PixelSample sample;
     sample.offset = {x.offset, y.offset};
     sample.weight = x.weight * y.weight;
-    sample.lens = sobol_2d(index, key(seed_, pixel, Stream::lens));
+    if (lens_)
+        sample.lens = sobol_2d(index, key(seed_, pixel, Stream::lens));
+    if (!turns_)
+        return sample;
     // the golden ratio's multiples share out the circle as evenly as any number of them can
     double const turn = fraction(key(seed_, pixel, Stream::colour)) + 0.6180339887498949 * index;
     sample.turn = turn - std::floor(turn);

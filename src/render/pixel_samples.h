@@ -49,7 +49,8 @@ struct PixelSample {
 
 class PixelSamples {
   public:
-    PixelSamples(PictureOptions const& options, std::uint64_t seed);
+    /// lens, turns   are they asked for? Where not they are 0
+    PixelSamples(PictureOptions const& options, std::uint64_t seed, bool lens = true, bool turns = true);
     /// Sample `index` of options.samples, of the pixel with this number.
     PixelSample at(std::uint64_t pixel, std::uint32_t index) const;
     /// Of many samples.
@@ -61,6 +62,7 @@ class PixelSamples {
     SamplePattern pattern_;
     std::uint32_t samples_, side_; // side_²: cells of a regular or jittered pattern
     std::uint64_t seed_;
+    bool lens_, turns_;
     FilterPlaces filter_;
 };
 

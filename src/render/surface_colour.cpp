@@ -62,13 +62,11 @@ bool has_checker(Scene const& scene) {
     });
 }
 
-dvec3 pigment(Scene const& scene, Interface const& interface, Paint const& paint, dvec3 const& across,
+dvec3 pigment(Affine const& to_object, Interface const& interface, Paint const& paint, dvec3 const& across,
               dvec3 const& down) {
     if (!paint.checker)
         return dvec3(1.0);
     Checker const& checker = *paint.checker;
-    Body const& body = scene.bodies[scene.faces[interface.face.value].body.value];
-    Affine const to_object = inverse(body.to_world);
     dvec3 const inward = -normalize(to_object.vector(interface.facet_normal));
     dvec3 const at = to_object.point(interface.point) / checker.size + below_surface * inward;
     double const even = mean_of_cubes(at, finite_or_0(to_object.vector(across) / checker.size),

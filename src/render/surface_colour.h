@@ -9,8 +9,9 @@ namespace sahl {
 bool has_checker(Scene const& scene);
 
 /// Multiplies ambient and diffuse of `paint` at the interface: the mean over what a sample stands for.
+///   to_object      from the world to the frame of the object whose surface it is
 ///   across, down   m, on the surface: the sides of that; zero: a point
-dvec3 pigment(Scene const& scene, Interface const& interface, Paint const& paint, dvec3 const& across,
+dvec3 pigment(Affine const& to_object, Interface const& interface, Paint const& paint, dvec3 const& across,
               dvec3 const& down);
 
 } // namespace sahl

@@ -22,28 +22,33 @@ dvec3 vector(Colour const& colour) {
     return {colour[0], colour[1], colour[2]};
 }
 
-/// What a surface is painted with, if a lamp lights it.
-std::optional<Paint> paint_of(Scene const& scene, Interface const& interface) {
-    if (!interface.surface)
-        return std::nullopt;
-    auto const& kind = scene.surfaces[interface.surface->value].kind;
-    if (auto const* const paint = std::get_if<Paint>(&kind))
-        return *paint;
-    if (auto const* const matt = std::get_if<Diffuse>(&kind)) {
-        Paint paint;
-        paint.diffuse = {matt->reflectance, matt->reflectance, matt->reflectance};
-        return paint;
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
 TreeShader::TreeShader(PictureScene const& picture, Channels const& channels, bool single)
-    : in_(picture), one_tree_(channels), single_(single) {
+    : in_(picture), single_(single), absorbs_(single),
+      disperses_(std::find(picture.dispersive.begin(), picture.dispersive.end(), true) !=
+                 picture.dispersive.end()),
+      glows_(std::any_of(picture.picture.lights.begin(), picture.picture.lights.end(),
+                         [](Light const& lamp) { return lamp.radius > 0.0; })),
+      channels_(channels) {
+    for (std::uint32_t medium = 0; medium < picture.scene.media.size(); ++medium)
+        for (WavelengthId const channel : channels)
+            absorbs_ = absorbs_ || picture.optics.absorption({medium}, channel) != 0.0;
     if (picture.picture.options.filter_textures &&
         (!picture.textures.empty() || picture.sky.has_image() || has_checker(picture.scene)))
         footprints_.emplace(picture.scene, picture.optics);
+}
+
+/// What a surface is painted with, if a lamp lights it.
+Paint const* TreeShader::paint_of(Interface const& interface) {
+    if (!interface.surface)
+        return nullptr;
+    auto const& kind = in_.scene.surfaces[interface.surface->value].kind;
+    if (auto const* const matt = std::get_if<Diffuse>(&kind)) {
+        matt_.diffuse = {matt->reflectance, matt->reflectance, matt->reflectance};
+        return &matt_;
+    }
+    return std::get_if<Paint>(&kind);
 }
 
 void TreeShader::plant(std::span<Branch const> roots, std::span<Ray const> rays) {
@@ -84,9 +89,10 @@ void TreeShader::lose(std::size_t number, Branch const& branch, Event event) {
     if (event != Event::escaped)
         return;
     Footprint const seen = footprints_ ? footprints_->of(number) : Footprint{};
-    view.light +=
-        colours_[number] * (in_.sky.toward(branch.direction, seen.across.heading, seen.down.heading) +
-                            glow(branch, std::numeric_limits<double>::infinity()));
+    dvec3 light = in_.sky.toward(branch.direction, seen.across.heading, seen.down.heading);
+    if (glows_)
+        light += glow(branch, std::numeric_limits<double>::infinity());
+    view.light += colours_[number] * light;
 }
 
 dvec3 TreeShader::glow(Branch const& branch, double length) const {
@@ -98,7 +104,6 @@ dvec3 TreeShader::glow(Branch const& branch, double length) const {
 
 double TreeShader::meet(std::size_t number, Branch const& branch, Interface const& interface,
                         Branches& branches) {
-    channels_ = one_tree_;
     if (single_)
         channels_.fill(rays_[branch.ray].wavelength);
     RayView& view = views_[first_view_ + branch.ray];
@@ -107,13 +112,16 @@ double TreeShader::meet(std::size_t number, Branch const& branch, Interface cons
         view.depth = interface.t;
         view.normal = interface.normal;
     }
-    view.disperses =
-        view.disperses || in_.dispersive[branch.medium.value] || in_.dispersive[interface.medium_after.value];
+    if (disperses_)
+        view.disperses = view.disperses || in_.dispersive[branch.medium.value] ||
+                         in_.dispersive[interface.medium_after.value];
     if (footprints_)
         seen_ = footprints_->meet(number, branch, interface, rays_[branch.ray].wavelength);
-    dvec3 const arrives =
-        colours_[number] * absorbed_on_way(in_.optics, branch.medium, channels_, interface.t);
-    view.light += colours_[number] * glow(branch, interface.t);
+    dvec3 arrives = colours_[number];
+    if (glows_)
+        view.light += arrives * glow(branch, interface.t);
+    if (absorbs_)
+        arrives *= absorbed_on_way(in_.optics, branch.medium, channels_, interface.t);
     light_up(view, branch, interface, arrives, branches);
     double const power = brightest(arrives);
     if (power > 0.0)
@@ -149,7 +157,7 @@ void TreeShader::weigh(Branch const& branch, Interface const& interface, dvec3 c
 
 void TreeShader::light_up(RayView& view, Branch const& branch, Interface const& interface,
                           dvec3 const& arrives, Branches& branches) {
-    auto const paint = paint_of(in_.scene, interface);
+    Paint const* const paint = paint_of(interface);
     if (!paint)
         return;
     bool lit = false;
@@ -162,13 +170,16 @@ void TreeShader::light_up(RayView& view, Branch const& branch, Interface const& 
 /// Phong's ambient, diffuse and specular terms, over all lamps.
 dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, Branch const& branch,
                               bool& lit) const {
+    ObjectId const body = in_.scene.faces[interface.face.value].body;
     dvec3 const across = seen_.across.place, down = seen_.down.place;
-    dvec3 const colour = pigment(in_.scene, interface, paint, across, down) *
+    dvec3 const colour = pigment(in_.to_objects[body.value], interface, paint, across, down) *
                          in_.textures.at(in_.scene, interface, across, down);
     dvec3 const& direction = branch.direction;
     dvec3 light = in_.picture.options.ambient * vector(paint.ambient) * colour;
     if (in_.caustics)
         light += in_.caustics->at(interface.point) * vector(paint.diffuse) * colour;
+    dvec3 const specular = vector(paint.specular);
+    bool const glossy = brightest(specular) > 0.0;
     dvec3 const mirrored = direction - 2.0 * dot(direction, interface.normal) * interface.normal;
     for (Light const& source : in_.picture.lights) {
         LampView const lamp = view_of(source, interface.point);
@@ -179,9 +190,10 @@ dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, Br
         if (brightest(comes) <= 0.0)
             continue;
         lit = true;
-        double const gloss = std::max(0.0, dot(mirrored, lamp.toward));
-        light += comes * (facing * vector(paint.diffuse) * colour +
-                          std::pow(gloss, paint.shininess) * vector(paint.specular));
+        dvec3 sent = facing * vector(paint.diffuse) * colour;
+        if (glossy)
+            sent += std::pow(std::max(0.0, dot(mirrored, lamp.toward)), paint.shininess) * specular;
+        light += comes * sent;
     }
     return light;
 }

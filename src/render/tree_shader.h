@@ -24,6 +24,7 @@ struct PictureScene {
     Sky const& sky;
     std::vector<bool> const& dispersive; // media
     SurfaceTextures const& textures;
+    std::vector<Affine> const& to_objects; // by body: from the world to its own frame
     CameraRays const& camera;
     double step = 1.0;                  // pixels between samples: what each of them stands for
     LightMap const* caustics = nullptr; // light that is added to paint
@@ -52,6 +53,7 @@ class TreeShader final : public TreeWatch {
     double meet(std::size_t number, Branch const& branch, Interface const& interface,
                 Branches& branches) override;
     void lose(std::size_t number, Branch const& branch, Event event) override;
+    void cut(std::uint32_t ray, double power) override { views_[first_view_ + ray].cut += power; }
     void push(std::size_t number, Branch const& child, Outgoing const& outgoing) override;
     void next_generation() override;
 
@@ -59,6 +61,7 @@ class TreeShader final : public TreeWatch {
     std::vector<RayView>& views() { return views_; }
 
   private:
+    Paint const* paint_of(Interface const& interface);
     dvec3 glow(Branch const& branch, double length) const;
     void weigh(Branch const& branch, Interface const& interface, dvec3 const& arrives, double power,
                Branches& branches);
@@ -68,9 +71,10 @@ class TreeShader final : public TreeWatch {
     dvec3 lamp_light(LampView const& lamp, Interface const& interface) const;
 
     PictureScene in_;
-    Channels one_tree_;
     bool single_;
-    Channels channels_{}; // of the branch that is looked at
+    bool absorbs_, disperses_, glows_; // does any medium, or lamp?
+    Paint matt_;                       // of a diffuse surface
+    Channels channels_{};              // of the branch that is looked at
     std::span<Ray const> rays_;
     std::vector<RayView> views_;
     std::size_t first_view_ = 0;                // of the group that grows

@@ -104,6 +104,8 @@ NextHit next_beside(Scene const& scene, dvec3 const& origin, dvec3 const& direct
 } // namespace
 
 std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside) {
+    if (inside.empty())
+        return std::nullopt;
     std::optional<ObjectId> best;
     for (ShellId const id : inside) {
         Shell const& shell = scene.shells[id.value];
@@ -148,8 +150,15 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
         if (hit.at_one_place.empty())
             return Meeting::nothing;
         Crossing const& first = hit.at_one_place.front();
-        if (!hit.fits || !remember_sheets(scene, hit, left, found))
+        bool const alone = hit.at_one_place.size() == 1;
+        if (alone && hit.fits && left.empty() && hit.beside.empty()) { // as nearly always
+            found.left.clear();
+            found.newly = 0;
+            if (first.open)
+                found.left.push_back({first.object, first.enters});
+        } else if (!hit.fits || !remember_sheets(scene, hit, left, found)) {
             return Meeting::too_deep;
+        }
         found.inside_before = found.inside_after;
         found.body_before = body;
         if (first.detector) { // nothing is crossed yet: bodies and mirrors at the same place are met next
@@ -166,7 +175,7 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
         for (Crossing const& c : hit.at_one_place)
             if (!c.open && c.enters && !found.inside_after.insert(c.shell))
                 return Meeting::too_deep;
-        found.body_after = body_at(scene, found.inside_after);
+        found.body_after = alone && first.open ? body : body_at(scene, found.inside_after);
         found.medium_after = medium_of(scene, found.body_after);
         found.detector.reset();
         bool const same_body = body == found.body_after; // it happens under a body of higher priority

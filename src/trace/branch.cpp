@@ -10,13 +10,9 @@ constexpr std::uint32_t roulette_draw = 0; // interactions draw from 1 on
 
 } // namespace
 
-void choose(Branches& branches, TraceOptions const& options, double power, double initial,
-            std::uint16_t depth, Draw const& draw) {
+void choose_one(Branches& branches, TraceOptions const& options, double power, double initial,
+                std::uint16_t depth, Draw const& draw) {
     auto& out = branches.outgoing;
-    for (Outgoing& outgoing : out)
-        outgoing.power = power * outgoing.share;
-    if (options.branch == BranchPolicy::split || out.size() < 2)
-        return;
     if (options.branch == BranchPolicy::dominant) {
         out[out[0].share >= out[1].share ? 1 : 0].fate = Event::cut_power;
         return;

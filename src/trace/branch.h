@@ -32,7 +32,14 @@ struct Branch {
 /// as cut.
 ///   power    that arrives, after absorption on the way (W)
 ///   initial  of the source's ray (W)
-void choose(Branches& branches, TraceOptions const& options, double power, double initial,
-            std::uint16_t depth, Draw const& draw);
+void choose_one(Branches& branches, TraceOptions const& options, double power, double initial,
+                std::uint16_t depth, Draw const& draw);
+inline void choose(Branches& branches, TraceOptions const& options, double power, double initial,
+                   std::uint16_t depth, Draw const& draw) {
+    for (Outgoing& outgoing : branches.outgoing)
+        outgoing.power = power * outgoing.share;
+    if (options.branch != BranchPolicy::split && branches.outgoing.size() == 2)
+        choose_one(branches, options, power, initial, depth, draw);
+}
 
 } // namespace sahl

@@ -77,6 +77,7 @@ class Grove {
     void detect(Branch const& branch, Interface const& interface, double power, double optical_path);
     void detect_escape(Branch const& branch, DetectorId id);
     void detect_arrival(Branch const& branch, Arrival const& arrival);
+    bool cut_unseen(Branch const& branch, Interface const& interface, Outgoing const& outgoing);
     void push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                        double optical_path);
     void pass_on(Branch const& branch, Interface const& interface, double power, double optical_path);
@@ -98,6 +99,7 @@ class Grove {
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> next_index_; // by ray: the number of its next segment
     std::vector<Branch> generation_, next_generation_;
+    Interface interface_; // that is looked at: made once, and not for each branch
     std::vector<PolarisedLight> lights_, next_lights_; // of the same, where s and p are kept apart
     std::vector<Spread> spreads_, next_spreads_;       // of the same, where digits lost are asked for
     Spread spread_;                                    // at the end of the segment that is traced now
@@ -224,6 +226,12 @@ void Grove::order_by_ray() {
         by_ray_[place_[segment.ray - first_]++] = segment;
 }
 
+void begin_in(Bvh::Start const& start, Branch& root) {
+    root.inside = start.inside;
+    root.left = start.on;
+    root.fate = start.fits ? Event::none : Event::invalid;
+}
+
 void Grove::plant(Ray const& ray) {
     add(result_.tally.emitted, ray.power);
     Branch root;
@@ -232,10 +240,7 @@ void Grove::plant(Ray const& ray) {
     root.power = ray.power;
     root.ray = static_cast<std::uint32_t>(rays_.size());
     if (finite(ray.origin) && finite(ray.direction) && ray.direction != dvec3(0.0)) {
-        Bvh::Start const start = start_ ? *start_ : context_.scene.bvh->start_at(ray.origin, ray.direction);
-        root.inside = start.inside;
-        root.left = start.on;
-        root.fate = start.fits ? Event::none : Event::invalid;
+        begin_in(start_ ? *start_ : context_.scene.bvh->start_at(ray.origin, ray.direction), root);
     } else {
         root.fate = Event::invalid;
     }
@@ -282,7 +287,7 @@ void Grove::trace(Branch const& branch) {
         add(result_.tally.cut, branch.power);
         return end(branch, fate, branch.power, 0.0, branch.optical_path, nullptr);
     }
-    Interface interface;
+    Interface& interface = interface_;
     Meeting const meeting = next_interface(context_.scene, branch.origin, branch.direction, branch.inside,
                                            branch.body, branch.left, interface, ahead_.at(number_of(branch)));
     for (Arrival const& arrival : interface.arrivals)
@@ -422,9 +427,27 @@ void Grove::detect_arrival(Branch const& branch, Arrival const& arrival) {
     }
 }
 
+/// Of what would end where it begins, for want of power or room, a watch is told at once: it takes no place
+/// in the next generation.
+bool Grove::cut_unseen(Branch const& branch, Interface const& interface, Outgoing const& outgoing) {
+    if (outgoing.fate != Event::none || !finite(interface.point + outgoing.direction + outgoing.power))
+        return false;
+    Event const fate = branch.depth >= context_.options.max_depth ? Event::cut_depth
+                       : outgoing.power < context_.options.min_power * rays_[branch.ray].power
+                           ? Event::cut_power
+                           : Event::none;
+    if (fate == Event::none)
+        return false;
+    ++result_.tally.ended[static_cast<std::size_t>(fate)];
+    watch_->cut(branch.ray, outgoing.power);
+    return true;
+}
+
 void Grove::push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                           double optical_path) {
     for (Outgoing const& outgoing : branches.outgoing) {
+        if (watch_ && cut_unseen(branch, interface, outgoing))
+            continue;
         Branch& child = next_generation_.emplace_back();
         child.origin = interface.point;
         child.direction = outgoing.direction;

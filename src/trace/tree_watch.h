@@ -22,6 +22,9 @@ class TreeWatch {
                         Branches& branches) = 0;
     /// Branch `number` ends without a surface: event is escaped, cut_power, cut_depth, leak or invalid.
     virtual void lose(std::size_t number, Branch const& branch, Event event) = 0;
+    /// A child of a branch of ray `ray` of the group ends where it begins: it has too little power (W), or is
+    /// too deep.
+    virtual void cut(std::uint32_t ray, double power) = 0;
     /// A child of branch `number` takes the next number of the next generation.
     virtual void push(std::size_t number, Branch const& child, Outgoing const& outgoing) = 0;
     /// The next generation becomes this one.
