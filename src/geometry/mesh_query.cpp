@@ -90,6 +90,8 @@ bool MeshQuery::settle(double looked_to, MeshAnswer& answer) const {
         else if (std::pair(plain.t, plain.triangle) < std::pair(best.t, best.triangle))
             best = plain;
     }
+    if (best.t < INFINITY)
+        tree_.prefetch_normals(best.triangle); // for whoever interpolates
     // a neighbour of theirs is met there; where it is not, something may be that float does not see
     for (std::size_t i = 0; missed >> i; ++i) {
         Proposal const& proposal = proposals_[i];

@@ -38,6 +38,9 @@ class MeshSheet {
     std::optional<bool> heads_above(dvec3 const& point, dvec3 const& direction, double rounding) const;
 
     Mesh const& mesh() const { return *mesh_; }
+    std::array<std::uint32_t, 3> const& vertices(std::uint32_t triangle) const {
+        return mesh_->soup.triangles[triangle];
+    }
     dvec3 normal(std::uint32_t triangle) const; // unit, by the triangle's winding
     /// The point of the triangle that is nearest to `point`, or nearly so where that is of its border.
     dvec3 onto(std::uint32_t triangle, dvec3 const& point) const;

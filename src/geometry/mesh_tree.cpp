@@ -16,24 +16,6 @@ namespace sahl {
 
 namespace {
 
-/// The mesh's triangles, anticlockwise seen from outside the volume that the shell encloses.
-std::vector<std::array<std::uint32_t, 3>> outward(Mesh const& mesh) {
-    auto triangles = mesh.soup.triangles;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        if (mesh.shells[mesh.triangle_shell[t]].sign < 0)
-            std::swap(triangles[t][1], triangles[t][2]);
-    return triangles;
-}
-
-std::vector<TriangleCorners> corners_of(TriangleSoup const& soup,
-                                        std::vector<std::array<std::uint32_t, 3>> const& triangles) {
-    std::vector<TriangleCorners> corners;
-    corners.reserve(triangles.size());
-    for (auto const& [a, b, c] : triangles)
-        corners.push_back({soup.positions[a], soup.positions[b], soup.positions[c]});
-    return corners;
-}
-
 std::vector<Bounds> bounds_of(std::vector<TriangleCorners> const& triangles) {
     std::vector<Bounds> bounds;
     bounds.reserve(triangles.size());
@@ -66,14 +48,35 @@ MeshAnswer change_of(std::vector<Station> const& stations, bool inside, double f
 } // namespace
 
 MeshTree::MeshTree(std::shared_ptr<Mesh const> mesh)
-    : mesh_(std::move(mesh)), outward_(outward(*mesh_)), triangles_(corners_of(mesh_->soup, outward_)) {}
+    : mesh_(std::move(mesh)), corners_(outward(*mesh_)), triangles_(all_corners()) {}
+
+std::vector<MeshTree::Corners> MeshTree::outward(Mesh const& mesh) {
+    std::vector<Corners> triangles;
+    triangles.reserve(mesh.soup.triangles.size());
+    for (std::size_t t = 0; t < mesh.soup.triangles.size(); ++t) {
+        auto const& vertices = mesh.soup.triangles[t];
+        auto const& positions = mesh.soup.positions;
+        triangles.push_back(
+            {{positions[vertices[0]], positions[vertices[1]], positions[vertices[2]]}, vertices});
+        if (mesh.shells[mesh.triangle_shell[t]].sign < 0)
+            std::swap(triangles.back().at[1], triangles.back().at[2]);
+    }
+    return triangles;
+}
+
+std::vector<TriangleCorners> MeshTree::all_corners() const {
+    std::vector<TriangleCorners> triangles;
+    triangles.reserve(corners_.size());
+    for (Corners const& corners_of_one : corners_)
+        triangles.push_back(corners_of_one.at);
+    return triangles;
+}
 
 BoxTree const& MeshTree::boxes() const {
     // in a thread of its own: one that traces would, while Embree builds, take up other rays and come here
     // again
-    std::call_once(boxes_built_, [this] {
-        std::thread([this] { boxes_.emplace(bounds_of(corners_of(mesh_->soup, outward_))); }).join();
-    });
+    std::call_once(boxes_built_,
+                   [this] { std::thread([this] { boxes_.emplace(bounds_of(all_corners())); }).join(); });
     return *boxes_;
 }
 

@@ -104,21 +104,22 @@ class MeshTree {
 
     Mesh const& mesh() const { return *mesh_; }
     /// Anticlockwise seen from outside the volume that the shell encloses.
-    std::array<dvec3, 3> corners(std::uint32_t triangle) const {
-        auto const& [a, b, c] = outward_[triangle];
-        auto const& positions = mesh_->soup.positions;
-        return {positions[a], positions[b], positions[c]};
-    }
-    /// Asks for a triangle's corners ahead of their use, and for its vertices' normals.
+    std::array<dvec3, 3> const& corners(std::uint32_t triangle) const { return corners_[triangle].at; }
+    /// Asks for a triangle's corners ahead of their use.
     void prefetch(std::uint32_t triangle) const {
-        auto const& corners_of = outward_[triangle];
-        for (std::uint32_t const corner : corners_of)
-            __builtin_prefetch(&mesh_->soup.positions[corner]);
-        if (mesh_->soup.normals.empty())
-            return;
-        __builtin_prefetch(&mesh_->soup.triangles[triangle]);
-        for (std::uint32_t const corner : corners_of)
-            __builtin_prefetch(&mesh_->soup.normals[corner]);
+        auto const* const from = reinterpret_cast<char const*>(&corners_[triangle]);
+        __builtin_prefetch(from);
+        __builtin_prefetch(from + sizeof(Corners) - 1);
+    }
+    /// The same of its vertices' normals, where it has them.
+    void prefetch_normals(std::uint32_t triangle) const {
+        if (!mesh_->soup.normals.empty())
+            for (std::uint32_t const vertex : corners_[triangle].vertices)
+                __builtin_prefetch(&mesh_->soup.normals[vertex]);
+    }
+    /// Of its corners, in the order of the mesh.
+    std::array<std::uint32_t, 3> const& vertices(std::uint32_t triangle) const {
+        return corners_[triangle].vertices;
     }
     /// Asks for the numbers of its corners, and of its vertices' normals.
     void prefetch_numbers(std::uint32_t triangle) const {
@@ -138,7 +139,7 @@ class MeshTree {
     dvec3 onto(std::uint32_t triangle, dvec3 const& point) const;
     /// The same where the point is well within the triangle, whose normal is known.
     dvec3 onto(std::uint32_t triangle, dvec3 const& normal, dvec3 const& point) const {
-        return point - dot(normal, point - mesh_->soup.positions[outward_[triangle][0]]) * normal;
+        return point - dot(normal, point - corners_[triangle].at[0]) * normal;
     }
 
   private:
@@ -152,9 +153,17 @@ class MeshTree {
                                             Reach reach, double rounding) const;
 
     BoxTree const& boxes() const;
+    /// All that a hit needs of a triangle, at one place in memory: a ray meets any of them next, and pays for
+    /// each place that it looks at.
+    struct alignas(32) Corners {
+        std::array<dvec3, 3> at;               // anticlockwise seen from outside
+        std::array<std::uint32_t, 3> vertices; // in the mesh's order
+    };
+    static std::vector<Corners> outward(Mesh const& mesh);
+    std::vector<std::array<dvec3, 3>> all_corners() const;
+
     std::shared_ptr<Mesh const> mesh_;
-    std::vector<std::array<std::uint32_t, 3>>
-        outward_; // corners by triangle, anticlockwise seen from outside
+    std::vector<Corners> corners_;
     TriangleTree triangles_;
     mutable std::once_flag boxes_built_;
     mutable std::optional<BoxTree> boxes_; // built on first need

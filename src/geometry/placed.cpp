@@ -317,10 +317,11 @@ bool Placed::lies_at(dvec3 const& point) const {
 namespace {
 
 /// The vertices' normals, weighted, on the side of the triangle's own.
-dvec3 smooth_normal(TriangleSoup const& soup, std::uint32_t triangle, dvec2 const& uv, dvec3 const& facet) {
+dvec3 smooth_normal(TriangleSoup const& soup, std::array<std::uint32_t, 3> const& vertices, dvec2 const& uv,
+                    dvec3 const& facet) {
     if (soup.normals.empty())
         return facet;
-    auto const& [a, b, c] = soup.triangles[triangle];
+    auto const& [a, b, c] = vertices;
     dvec3 const smooth =
         (1.0 - uv.x - uv.y) * soup.normals[a] + uv.x * soup.normals[b] + uv.y * soup.normals[c];
     // the file's normals point out of the glass as the triangles do, or the triangles were turned
@@ -355,15 +356,15 @@ void Placed::finish(Candidate const& candidate, dvec3 const& origin, dvec3 const
                    },
                    [&](auto const& tree_or_sheet) {
                        auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
-                       facet = candidate.normal;
+                       facet = normal = candidate.normal;
                        if constexpr (std::is_same_v<decltype(tree_or_sheet), Tree const&>)
                            point = candidate.well_within ? tree_or_sheet->onto(triangle, facet, point)
                                                          : tree_or_sheet->onto(triangle, point);
                        else
                            point = tree_or_sheet->onto(triangle, point);
-                       normal = geometry.interpolate
-                                    ? smooth_normal(tree_or_sheet->mesh().soup, triangle, candidate.uv, facet)
-                                    : facet;
+                       if (geometry.interpolate)
+                           normal = smooth_normal(tree_or_sheet->mesh().soup,
+                                                  tree_or_sheet->vertices(triangle), candidate.uv, facet);
                    },
                },
                met_by);
@@ -423,19 +424,19 @@ dmat3 Placed::turning(std::uint32_t face, std::int32_t primitive, dvec3 const& p
     dvec3 const here = to_local.point(point);
     auto const normal_at = [&](dvec3 const& shift) {
         dvec3 at = here + to_local.vector(shift);
-        dvec3 const local =
-            std::visit(Overloaded{
-                           [&](Shape const&) { return dvec3(0.0, 0.0, 1.0); },
-                           [&](Solid const& solid) { return solid.settle(face, at); },
-                           [&](Curved const& curved) { return curved->settle(at); },
-                           [&](auto const& tree_or_sheet) {
-                               TriangleSoup const& soup = tree_or_sheet->mesh().soup;
-                               auto const triangle = static_cast<std::uint32_t>(primitive);
-                               return smooth_normal(soup, triangle, barycentric(soup, triangle, at),
-                                                    glm::transpose(geometry.to_world.linear) * normal);
-                           },
-                       },
-                       met_by);
+        dvec3 const local = std::visit(
+            Overloaded{
+                [&](Shape const&) { return dvec3(0.0, 0.0, 1.0); },
+                [&](Solid const& solid) { return solid.settle(face, at); },
+                [&](Curved const& curved) { return curved->settle(at); },
+                [&](auto const& tree_or_sheet) {
+                    TriangleSoup const& soup = tree_or_sheet->mesh().soup;
+                    auto const triangle = static_cast<std::uint32_t>(primitive);
+                    return smooth_normal(soup, soup.triangles[triangle], barycentric(soup, triangle, at),
+                                         glm::transpose(geometry.to_world.linear) * normal);
+                },
+            },
+            met_by);
         dvec3 const seen = normalize(glm::transpose(to_local.linear) * local);
         return dot(seen, normal) < 0.0 ? -seen : seen;
     };

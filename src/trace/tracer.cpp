@@ -14,8 +14,11 @@ namespace sahl {
 namespace {
 
 /// Rays whose trees grow together, generation by generation: few enough that their branches stay in the
-/// cache, which many do where each has but one branch; many enough that some go the same way.
-constexpr std::uint32_t rays_together = 32, paths_together = 256;
+/// cache, which many do where each has but one branch.
+constexpr std::uint32_t rays_together = 32;
+/// Where that is so, and of a picture, whose rays go much the same way: the more there are, the more of a
+/// mesh's tree is in the cache for the next (measured with 102 400 triangles: a tenth of a next hit's time).
+constexpr std::uint32_t paths_together = 256;
 
 std::uint32_t together(TraceOptions const& options) {
     bool const one_branch =
@@ -561,9 +564,9 @@ std::array<std::uint64_t, event_names.size()> trace_rays(TraceContext const& con
     BatchResult result{Tally(context.unit, 0, 0, 0), {}, {}, {}, {}};
     Grove grove(context, result, result.log);
     grove.watch(watch, start);
-    std::size_t const group = together(context.options);
-    for (std::size_t done = 0; done < rays.size(); done += group)
-        grove.grow(first + done, rays.subspan(done, std::min(group, rays.size() - done)));
+    for (std::size_t done = 0; done < rays.size(); done += paths_together)
+        grove.grow(first + done,
+                   rays.subspan(done, std::min<std::size_t>(paths_together, rays.size() - done)));
     return result.tally.ended;
 }
 
