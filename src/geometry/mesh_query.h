@@ -27,13 +27,7 @@ class MeshQuery {
     /// Is the ray in some shell of the mesh? It must then be left somewhere.
     bool in_some() const { return in_some_; }
 
-    /// Memory is slow: what is asked for now, it is there when Embree is through. Met at once, half the time
-    /// was waiting for it. One line alone asks for the corners, though their numbers must be waited for;
-    /// where others come before it, for the numbers, and then by ask_for_corners().
-    enum class Ahead : std::uint8_t { corners, numbers };
-
     /// What a visitor of a TriangleTree returns: the farthest t that matters once this is known.
-    template <Ahead ahead = Ahead::corners>
     double take(std::uint32_t triangle, double t, int sense) {
         constexpr double no = INFINITY;
         if (sense != 0 && (sense < 0) == is_in(triangle)) {
@@ -41,21 +35,14 @@ class MeshQuery {
                 unfit_ = std::min(unfit_, t - blur_);
             return no;
         }
-        if constexpr (ahead == Ahead::corners)
-            tree_.prefetch(triangle);
-        else
-            tree_.prefetch_numbers(triangle);
+        // asked for now, it is there when Embree is through: met at once, half the time was waiting for it
+        tree_.prefetch(triangle);
         if (proposals_.full()) {
             too_many_ = true;
             return no;
         }
         proposals_.push_back({triangle, t, sense});
         return sense != 0 && t > from_ + blur_ ? t + beyond_ : no;
-    }
-
-    void ask_for_corners() const {
-        for (Proposal const& proposal : proposals_)
-            tree_.prefetch(proposal.triangle);
     }
 
     /// Writes the answer, where no doubt is left; otherwise returns false.

@@ -177,14 +177,10 @@ void MeshTree::next_together(std::span<Line const> lines, std::span<SeenAhead> s
                           triangles_.blur() / line.unit);
             looked_to[i] = INFINITY;
         }
-        double const to =
-            query->take<MeshQuery::Ahead::numbers>(proposal.triangle, proposal.t, proposal.sense);
+        double const to = query->take(proposal.triangle, proposal.t, proposal.sense);
         looked_to[i] = std::min(looked_to[i], to);
         return to;
     });
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        if (queries[i])
-            queries[i]->ask_for_corners();
     for (std::size_t i = 0; i < lines.size(); ++i) {
         seen[i].crossing.reset();
         if (!queries[i]) { // what it is in must be left
@@ -195,8 +191,6 @@ void MeshTree::next_together(std::span<Line const> lines, std::span<SeenAhead> s
         seen[i].known =
             queries[i]->settle(looked_to[i], answer) && (answer.crossing || looked_to[i] == INFINITY);
         seen[i].crossing = answer.crossing;
-        if (answer.crossing)
-            prefetch_normals(answer.crossing->triangle);
     }
 }
 

@@ -121,17 +121,6 @@ class MeshTree {
     std::array<std::uint32_t, 3> const& vertices(std::uint32_t triangle) const {
         return corners_[triangle].vertices;
     }
-    /// Asks for the numbers of its corners, and of its vertices' normals.
-    void prefetch_numbers(std::uint32_t triangle) const {
-        __builtin_prefetch(&outward_[triangle]);
-        if (!mesh_->soup.normals.empty())
-            __builtin_prefetch(&mesh_->soup.triangles[triangle]);
-    }
-    void prefetch_normals(std::uint32_t triangle) const {
-        if (!mesh_->soup.normals.empty())
-            for (std::uint32_t const corner : mesh_->soup.triangles[triangle])
-                __builtin_prefetch(&mesh_->soup.normals[corner]);
-    }
     /// Unit, out of the volume that the shell encloses.
     dvec3 normal(std::uint32_t triangle) const;
     /// The point of the triangle's plane below `point`; if it lies outside the triangle, where rounding may
