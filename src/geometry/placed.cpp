@@ -205,22 +205,14 @@ double Placed::next_of_others(LocalRay const& ray, ShellSet const& inside, Reach
                 return answer.contradiction;
             },
             [&](OpenPatches const& sheet) {
-                if (auto const c = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
-                    found = Candidate{c->t,
-                                      c->slope > 0.0
-                                          ? std::max(sheet->blur(ray.rounding) / c->slope, least_blur(ray))
-                                          : INFINITY,
-                                      0,
-                                      sheet->mesh().face_of(c->triangle),
-                                      static_cast<std::int32_t>(c->triangle),
-                                      c->uv,
-                                      c->normal,
-                                      true,
-                                      c->enters,
-                                      false,
-                                      false,
-                                      c->point,
-                                      c->geometric};
+                if (auto const c = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above)) {
+                    double const blur = sheet->blur(ray.rounding);
+                    found.set(c->t, c->slope > 0.0 ? std::max(blur / c->slope, least_blur(ray)) : INFINITY,
+                              sheet->mesh().face_of(c->triangle), true, c->enters, c->triangle, c->uv,
+                              c->normal);
+                    found.point = c->point;
+                    found.geometric = c->geometric;
+                }
                 return INFINITY + 0.0;
             },
             [&](Sheet const& sheet) {
