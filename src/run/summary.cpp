@@ -232,6 +232,7 @@ Value options_of(Experiment const& experiment, RunFacts const& facts) {
                     {"min_power", of(trace.min_power)},
                     {"branch", of(std::string(name_of(trace.branch)))},
                     {"split_until", of(trace.split_until)},
+                    {"split_depth", of(std::uint64_t{trace.split_depth})},
                     {"method", of(std::string(name_of(trace.method)))},
                     {"tolerance_rad", of(trace.tolerance)},
                     {"tolerance_power", of(trace.tolerance_power)},

@@ -141,7 +141,8 @@ struct TraceOptions {
     std::uint32_t max_depth = 64; // [0, 65534] interactions; a branch that is cut has one more, in 16 bits
     double min_power = 1e-6;      // share of the source ray's power
     BranchPolicy branch = BranchPolicy::split;
-    double split_until = 0.1; // with roulette
+    double split_until = 0.1;      // with roulette: a share of the source ray's power
+    std::uint32_t split_depth = 2; // with roulette: [0, 65534] interactions that split in any case
     Method method = Method::automatic;
     double tolerance = 1e-6;       // rad
     double tolerance_power = 1e-3; // share

@@ -47,7 +47,13 @@ constexpr Key trace_keys[] = {
     {"branch", Kind::text, "split",
      "\"split\", \"roulette\" (unbiased) or \"dominant\" (strongest branch only)"},
     {"split_until", Kind::number, 0.1,
-     "with roulette: split while the branch's share is above this, or depth < 2", share},
+     "with roulette: split while the branch's share is above this, or depth < split_depth", share},
+    {"split_depth",
+     Kind::integer,
+     2.0,
+     "with roulette: the first so many interactions of a path always split; 0, with split_until = 1: one "
+     "random branch at each",
+     {0.0, 65534.0}},
     {"method", Kind::text, "auto",
      "how meshes are traced: \"auto\", \"facet\", \"interpolated\", \"quadratic\", \"fitted\" or "
      "\"recognised\""},

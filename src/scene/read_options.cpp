@@ -53,6 +53,7 @@ TraceOptions read_trace(Value const& tree) {
                                                             {"roulette", BranchPolicy::roulette},
                                                             {"dominant", BranchPolicy::dominant}});
     options.split_until = fields.number("split_until");
+    options.split_depth = static_cast<std::uint32_t>(fields.integer("split_depth"));
     options.method = read_method(fields);
     options.tolerance = fields.number("tolerance_rad");
     options.tolerance_power = fields.number("tolerance_power");

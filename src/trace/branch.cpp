@@ -17,7 +17,7 @@ void choose_one(Branches& branches, TraceOptions const& options, double power, d
         out[out[0].share >= out[1].share ? 1 : 0].fate = Event::cut_power;
         return;
     }
-    if (depth < 2 || power > options.split_until * initial)
+    if (depth < options.split_depth || power > options.split_until * initial)
         return;
     // one branch, drawn by share, carries all that is not absorbed: unbiased, and each ray's ledger closes
     double const total = out[0].share + out[1].share;

@@ -4,6 +4,7 @@
 #include "support/catch.h"
 
 #include <cmath>
+#include <numeric>
 
 using namespace sahl;
 
@@ -142,6 +143,39 @@ TEST_CASE("a shadow is black, or what glass lets through straight on", "[render]
     CHECK(seen("hard") == 0.125);
     CHECK(seen("hard", ", reflect = 0.5") == Approx(0.625).epsilon(1e-12));
     CHECK(seen("ambient", ", reflect = 0.5") == 0.125);
+}
+
+TEST_CASE("one random branch a hit shows the same picture as full trees, on the average", "[render]") {
+    std::string const scene =
+        "[surface.p]\npaint = {ambient = [0.9, 0.7, 0.4], checker = {size_mm = 7}}\n"
+        "[[object]]\nname = \"floor\"\nshape = {plane = {}}\nsurface = \"p\"\nmove_mm = [0, 0, -25]\n"
+        "[[object]]\nname = \"ball\"\nshape = {sphere = {radius_mm = 15}}\nmedium = \"m\"\n"
+        "[medium.m]\nn = 1.8\nabsorption = [[460, 0.06], [540, 0.02], [610, 0.01]]\n"
+        "[camera]\nat_mm = [10, 20, 100]\nlook_at_mm = [0, 0, 0]\nfov_deg = 20\n"
+        "resolution = [64, 48]\nsamples = 8\n[background]\ncolor = [0.1, 0.2, 0.5]\n"
+        "[picture]\nwavelengths = 1\n[trace]\nmin_power = 1e-7\nmax_depth = 400\n";
+    auto const pieces = [](RenderOutcome const& outcome) {
+        return std::accumulate(outcome.ended.begin(), outcome.ended.end(), std::uint64_t{0});
+    };
+    RenderOutcome const whole = render(scene);
+    RenderOutcome const drawn = render(scene + "branch = \"roulette\"\nsplit_until = 1\nsplit_depth = 0\n");
+    CHECK(pieces(drawn) * 2 < pieces(whole));
+    double const count = static_cast<double>(whole.film.pixels.size());
+    for (int colour = 0; colour < 3; ++colour) {
+        double sum = 0.0, squares = 0.0, most = 0.0; // pixels are drawn independently of each other
+        for (std::size_t i = 0; i < whole.film.pixels.size(); ++i) {
+            double const off =
+                drawn.film.mean(drawn.film.pixels[i])[colour] - whole.film.mean(whole.film.pixels[i])[colour];
+            sum += off;
+            squares += off * off;
+            most = std::max(most, std::abs(off));
+        }
+        double const error = std::sqrt(squares) / count; // standard, of the mean
+        CAPTURE(colour, sum / count, error);
+        CHECK(most > 0.1);   // each pixel is noisy
+        CHECK(error < 2e-3); // their mean is not
+        CHECK(std::abs(sum) / count < 4.0 * error);
+    }
 }
 
 TEST_CASE("at a depth of 0 rays are cast and go no further", "[render]") {

@@ -198,6 +198,7 @@ TEST_CASE("an experiment of one source has the declared defaults, which are thos
     CHECK(e.trace.max_depth == declared.max_depth);
     CHECK(e.trace.min_power == declared.min_power);
     CHECK(e.trace.split_until == declared.split_until);
+    CHECK(e.trace.split_depth == declared.split_depth);
     CHECK(e.trace.tolerance == declared.tolerance);
     CHECK(e.trace.tolerance_power == declared.tolerance_power);
     CHECK(e.trace.seed == declared.seed);

@@ -22,9 +22,10 @@ Lab slab(std::uint64_t rays, bool coated) {
     return lab;
 }
 
-double detected(Lab lab, BranchPolicy policy, double split_until = 0.1) {
+double detected(Lab lab, BranchPolicy policy, double split_until = 0.1, std::uint32_t split_depth = 2) {
     lab.experiment.trace.branch = policy;
     lab.experiment.trace.split_until = split_until;
+    lab.experiment.trace.split_depth = split_depth;
     Traced const traced = trace(lab);
     return traced.watts(traced.result.tally.detected);
 }
@@ -32,11 +33,17 @@ double detected(Lab lab, BranchPolicy policy, double split_until = 0.1) {
 } // namespace
 
 TEST_CASE("every ray's ledger closes by itself, whatever the policy") {
-    for (BranchPolicy policy : {BranchPolicy::split, BranchPolicy::roulette, BranchPolicy::dominant})
+    struct Policy {
+        BranchPolicy branch;
+        std::uint32_t split_depth;
+    };
+    for (Policy policy : {Policy{BranchPolicy::split, 2}, Policy{BranchPolicy::roulette, 2},
+                          Policy{BranchPolicy::roulette, 0}, Policy{BranchPolicy::dominant, 2}})
         for (bool coated : {false, true}) {
             Lab lab = slab(200, coated);
-            lab.experiment.trace.branch = policy;
-            lab.experiment.trace.split_until = 2.0; // with roulette: draw from the third interaction on
+            lab.experiment.trace.branch = policy.branch;
+            lab.experiment.trace.split_until = 2.0; // with roulette: draw from interaction split_depth on
+            lab.experiment.trace.split_depth = policy.split_depth;
             Scene const scene = build_scene(lab.experiment);
             WavelengthTable const optics(scene);
             Emission const emission(scene.sources, optics, 1);
@@ -53,36 +60,36 @@ TEST_CASE("every ray's ledger closes by itself, whatever the policy") {
 TEST_CASE("roulette draws one branch below the share, and splits above it or while the path is short") {
     Lab lab = slab(100, false);
     lab.experiment.trace.branch = BranchPolicy::roulette;
-    for (double split_until : {0.0, 0.03, 2.0}) {
-        lab.experiment.trace.split_until = split_until;
-        Traced const traced = trace(lab);
-        std::vector<int> children(traced.segments().size(), 0);
-        std::size_t first = 0; // of the ray's segments
-        int wrong = 0;
-        for (std::size_t i = 0; i < traced.segments().size(); ++i) {
-            Segment const& s = traced.segments()[i];
-            if (s.index == 0)
-                first = i;
-            else
-                ++children[first + static_cast<std::size_t>(s.parent)];
+    for (std::uint32_t split_depth : {0u, 2u, 5u})
+        for (double split_until : {0.0, 0.03, 2.0}) {
+            lab.experiment.trace.split_until = split_until;
+            lab.experiment.trace.split_depth = split_depth;
+            Traced const traced = trace(lab);
+            std::vector<int> children(traced.segments().size(), 0);
+            std::vector<std::size_t> parent(traced.segments().size(), 0);
+            std::size_t first = 0; // of the ray's segments
+            int wrong = 0;
+            for (std::size_t i = 0; i < traced.segments().size(); ++i) {
+                Segment const& s = traced.segments()[i];
+                if (s.index == 0)
+                    first = i;
+                else
+                    ++children[parent[i] = first + static_cast<std::size_t>(s.parent)];
+            }
+            for (std::size_t i = 0; i < traced.segments().size(); ++i) {
+                Segment const& s = traced.segments()[i];
+                if (s.ended != Event::refracted)
+                    continue;
+                bool const splits = s.depth < split_depth || s.power_end > split_until * 0.01;
+                wrong += children[i] != (splits ? 2 : 1);
+            }
+            CAPTURE(split_until, split_depth);
+            CHECK(wrong == 0);
+            if (split_until == 2.0) // a drawn branch carries all
+                for (std::size_t i = 0; i < traced.segments().size(); ++i)
+                    if (Segment const& s = traced.segments()[i]; s.depth > split_depth)
+                        CHECK(std::abs(s.power_start - traced.segments()[parent[i]].power_end) < 1e-17);
         }
-        for (std::size_t i = 0; i < traced.segments().size(); ++i) {
-            Segment const& s = traced.segments()[i];
-            if (s.ended != Event::refracted)
-                continue;
-            bool const splits = s.depth < 2 || s.power_end > split_until * 0.01;
-            wrong += children[i] != (splits ? 2 : 1);
-        }
-        CAPTURE(split_until);
-        CHECK(wrong == 0);
-        if (split_until == 2.0) // a drawn branch carries all
-            for (std::size_t i = 1; i < traced.segments().size(); ++i)
-                if (Segment const& s = traced.segments()[i]; s.depth > 2)
-                    CHECK(std::abs(
-                              s.power_start -
-                              traced.segments()[i - s.index + static_cast<std::size_t>(s.parent)].power_end) <
-                          1e-17);
-    }
 }
 
 TEST_CASE("roulette is unbiased, and its answer depends on the seed") {
@@ -98,6 +105,11 @@ TEST_CASE("roulette is unbiased, and its answer depends on the seed") {
     CHECK(detected(other, BranchPolicy::roulette, 2.0) != drawn);
     double const coated = detected(slab(1, true), BranchPolicy::split);
     CHECK(detected(slab(20'000, true), BranchPolicy::roulette, 2.0) == Approx(coated).epsilon(0.01));
+    // one branch at each surface: a ray is behind the slab whole, or not at all
+    double const alone = detected(slab(20'000, false), BranchPolicy::roulette, 2.0, 0);
+    CHECK(std::abs(alone - exact) < 4.0 * std::sqrt(exact * (1.0 - exact) / 20'000.0));
+    CHECK(alone != exact);
+    CHECK(std::abs(alone * 20'000.0 - std::round(alone * 20'000.0)) < 1e-6);
 }
 
 TEST_CASE("dominant follows the strongest branch alone and counts the other as cut") {
