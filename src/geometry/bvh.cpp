@@ -144,16 +144,13 @@ double Bvh::size_seen_ahead() const {
 
 void Bvh::look_ahead(std::span<Line const> lines, std::span<SeenAhead> seen) const {
     Placed const& object = state_->objects[*state_->seen_ahead];
-    InlineVector<MeshTree::Line, most_together> asked;
+    MeshTree::Lines asked;
+    asked.first = object.geometry.first_shell;
     for (Line const& line : lines) {
         Placed::LocalRay const ray = object.local(*line.origin, *line.direction);
-        asked.push_back({ray.origin,
-                         ray.direction,
-                         length(ray.direction),
-                         {*line.inside, object.geometry.first_shell},
-                         ray.rounding});
+        asked.add(ray.origin, ray.direction, ray.rounding, *line.inside);
     }
-    tree_of(object)->next_together({asked.begin(), asked.size()}, seen);
+    tree_of(object)->next_together(asked, seen);
 }
 
 LeftSheets Bvh::still_there(LeftSheets const& left, dvec3 const& point) const {

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <thread>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace sahl {
@@ -163,33 +165,59 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
     return sure ? answer : next_exact(origin, direction, inside, reach, rounding);
 }
 
-void MeshTree::next_together(std::span<Line const> lines, std::span<SeenAhead> seen) const {
-    TriangleTree::Lines asked;
-    for (Line const& line : lines)
-        asked.add(line.origin, line.direction, line.unit);
-    std::array<std::optional<MeshQuery>, TriangleTree::most_together> queries; // of those that meet something
+namespace {
+
+/// What a packet's lines ask, made only for those that meet something: many meet nothing, and a query is
+/// large.
+class Queries {
+  public:
+    Queries() {} // by hand: the compiler's own would clear all
+    MeshQuery* of(std::size_t line) { return made_ >> line & 1u ? &rooms_[line].query : nullptr; }
+    MeshQuery* make(std::size_t line, MeshQuery const& query) {
+        made_ |= 1u << line;
+        return ::new (&rooms_[line].query) MeshQuery(query);
+    }
+
+  private:
+    struct Room {
+        union {
+            MeshQuery query;
+        };
+        Room() {}
+    };
+    static_assert(std::is_trivially_destructible_v<MeshQuery>);
+    static_assert(TriangleTree::most_together <= 32);
+    std::array<Room, TriangleTree::most_together> rooms_;
+    std::uint32_t made_ = 0; // a bit for each
+};
+
+} // namespace
+
+void MeshTree::next_together(Lines const& asked, std::span<SeenAhead> seen) const {
+    TriangleTree::Lines const& lines = asked.lines;
+    Queries queries;
     std::array<double, TriangleTree::most_together> looked_to;
-    triangles_.visit_together(asked, [&](std::size_t i, Proposal const& proposal) {
-        std::optional<MeshQuery>& query = queries[i];
+    triangles_.visit_together(lines, [&](std::size_t i, Proposal const& proposal) {
+        MeshQuery* query = queries.of(i);
         if (!query) {
-            Line const& line = lines[i];
-            query.emplace(*this, line.origin, line.direction, line.unit, line.inside, 0.0, line.rounding,
-                          triangles_.blur() / line.unit);
             looked_to[i] = INFINITY;
+            query = queries.make(i, MeshQuery(*this, lines.start(i), lines.along(i), lines.unit[i],
+                                              InsideShells{*asked.inside[i], asked.first}, 0.0,
+                                              asked.rounding[i], triangles_.blur() / lines.unit[i]));
         }
         double const to = query->take(proposal.triangle, proposal.t, proposal.sense);
         looked_to[i] = std::min(looked_to[i], to);
         return to;
     });
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        seen[i].crossing.reset();
-        if (!queries[i]) { // what it is in must be left
-            seen[i].known = !lines[i].inside.any_of(mesh_->shells.size());
+    for (std::size_t i = 0; i < lines.count; ++i) {
+        MeshQuery const* const query = queries.of(i);
+        if (!query) { // what it is in must be left
+            seen[i].known = !InsideShells{*asked.inside[i], asked.first}.any_of(mesh_->shells.size());
+            seen[i].crossing.reset();
             continue;
         }
         MeshAnswer answer;
-        seen[i].known =
-            queries[i]->settle(looked_to[i], answer) && (answer.crossing || looked_to[i] == INFINITY);
+        seen[i].known = query->settle(looked_to[i], answer) && (answer.crossing || looked_to[i] == INFINITY);
         seen[i].crossing = answer.crossing;
     }
 }

@@ -77,16 +77,21 @@ class MeshTree {
     MeshAnswer next(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,
                     double rounding) const;
 
-    /// A line that is asked about with others, from its start on.
-    struct Line {
-        dvec3 origin, direction;
-        double unit; // length of the direction
-        InsideShells inside;
-        double rounding;
+    /// Lines that go much the same way, from their starts on.
+    struct Lines {
+        TriangleTree::Lines lines;
+        std::array<double, TriangleTree::most_together> rounding;
+        std::array<ShellSet const*, TriangleTree::most_together> inside;
+        ShellId first; // the mesh's first shell
+
+        void add(dvec3 const& origin, dvec3 const& direction, double round, ShellSet const& in) {
+            rounding[lines.count] = round;
+            inside[lines.count] = &in;
+            lines.add(origin, direction, length(direction));
+        }
     };
-    /// For up to TriangleTree::most_together lines that go much the same way: of each the crossing that
-    /// next() gives, where float leaves no doubt.
-    void next_together(std::span<Line const> lines, std::span<SeenAhead> seen) const;
+    /// Of each the crossing that next() gives, where float leaves no doubt.
+    void next_together(Lines const& asked, std::span<SeenAhead> seen) const;
     bool looks_ahead() const { return triangles_.visits_together(); }
 
     /// The same answer from every crossing that the line has, met as boxes in double: slower, and the judge

@@ -1,5 +1,8 @@
 #include "render/footprints.h"
 
+#include <cmath>
+#include <optional>
+
 namespace sahl {
 
 namespace {
@@ -12,6 +15,21 @@ bool bends(dvec3 const& normal, dvec3 const& direction, dvec3 const& leaves, dou
            double n_leaves) {
     return length(n_incident * cross(direction, normal) - n_leaves * cross(leaves, normal)) <
            same_normal * n_incident;
+}
+
+/// Of a ball that is no ellipsoid in the world: its normal turns by dx / radius, which the search for the
+/// normals of neighbouring points finds too, for many times the price.
+std::optional<dmat3> turning_of_ball(Body const& body, Interface const& interface) {
+    auto const* const ball = body.shape ? std::get_if<Sphere>(&*body.shape) : nullptr;
+    dmat3 const& axes = body.to_world.linear;
+    double const square = dot(axes[0], axes[0]), rounding = 1e-12 * square;
+    if (!ball || std::abs(dot(axes[1], axes[1]) - square) > rounding ||
+        std::abs(dot(axes[2], axes[2]) - square) > rounding || std::abs(dot(axes[0], axes[1])) > rounding ||
+        std::abs(dot(axes[1], axes[2])) > rounding || std::abs(dot(axes[2], axes[0])) > rounding)
+        return std::nullopt;
+    double const radius = ball->radius * std::sqrt(square);
+    bool const outward = dot(interface.normal, interface.point - body.to_world.offset) > 0.0;
+    return dmat3((outward ? 1.0 : -1.0) / radius); // times what lies along the surface
 }
 
 } // namespace
@@ -45,6 +63,8 @@ Footprints::Bend Footprints::bend_of(Outgoing const& outgoing, double n_leaves) 
     if (!bends(normal, direction_, outgoing.direction, n_incident_, n_leaves))
         return {interface_->facet_normal, dmat3(0.0)};
     ObjectId const body = scene_.faces[interface_->face.value].body;
+    if (auto const turning = turning_of_ball(scene_.bodies[body.value], *interface_))
+        return {normal, *turning};
     return {normal, scene_.bvh->turning(body.value, interface_->face, interface_->primitive,
                                         interface_->point, normal)};
 }

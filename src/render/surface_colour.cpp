@@ -27,7 +27,7 @@ double mean_of_cubes(dvec3 const& at, dvec3 const& sides) {
     return mean_of_wave(at.x, sides.x) * mean_of_wave(at.y, sides.y) * mean_of_wave(at.z, sides.z);
 }
 
-constexpr int parts_across = 4, most_parts_along = 32;
+constexpr int parts_across = 3, most_parts_along = 16;
 
 /// Over a parallelogram: over the boxes about its parts, which, where it lies askew, reach beyond it by as
 /// much as a part is wide.

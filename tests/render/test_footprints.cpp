@@ -38,6 +38,7 @@ class Recorder final : public TreeWatch {
         return branch.power;
     }
     void lose(std::size_t, Branch const&, Event) override {}
+    void cut(std::uint32_t, double) override {}
     void push(std::size_t, Branch const&, Outgoing const& outgoing) override { footprints_.push(outgoing); }
     void next_generation() override { footprints_.next_generation(); }
 

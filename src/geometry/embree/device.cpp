@@ -7,9 +7,7 @@ namespace sahl::embree {
 
 RTCDevice shared_device() {
     static struct Device {
-        // eight lanes: AVX-512's sixteen are slower here on rays that do not go alike, by a tenth on large
-        // meshes
-        RTCDevice handle = rtcNewDevice("max_isa=avx2");
+        RTCDevice handle = rtcNewDevice(nullptr);
         ~Device() { rtcReleaseDevice(handle); }
     } device;
     if (!device.handle)

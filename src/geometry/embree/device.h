@@ -79,9 +79,10 @@ inline RTCRayHit float_ray(dvec3 const& origin, dvec3 const& direction, float fa
 /// How many rays a packet holds.
 inline constexpr unsigned packet_size = 16;
 
-/// Was this Embree built to take packets?
+/// Does this Embree trace packets of sixteen as they are? Where the processor lacks AVX-512 it cuts them into
+/// smaller ones, whose lanes are counted anew: proposals would go to other rays.
 inline bool takes_packets() {
-    return rtcGetDeviceProperty(shared_device(), RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED) != 0;
+    return rtcGetDeviceProperty(shared_device(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
 }
 
 /// Rays that go the same way; `valid` is −1 for those that there are, and 0.

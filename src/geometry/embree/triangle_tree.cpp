@@ -256,14 +256,15 @@ using Numbers = TriangleTree::Lines::Numbers;
 
 /// The parts of a packet's lines that Embree is asked about.
 struct Parts {
-    alignas(64) std::array<Numbers, 3> start{}; // from the box's centre
-    alignas(64) Numbers from{}, to{}, per_unit{};
-    alignas(64) std::array<int, packet_size> valid{}; // as Embree has it
+    alignas(64) std::array<Numbers, 3> start; // from the box's centre
+    alignas(64) Numbers from, to, per_unit;
+    alignas(64) std::array<int, packet_size> valid; // as Embree has it
 
     /// As part_of() has them, all at once: a line that starts in the box is cut by it, too.
     Parts(TriangleTree::Lines const& lines, dvec3 const& centre, dvec3 const& half, double margin) {
-        Numbers sum{}; // not finite if anything is not
+        Numbers sum; // not finite if anything is not
         for (std::size_t i = 0; i < packet_size; ++i) {
+            sum[i] = 0.0;
             per_unit[i] = 1.0 / lines.unit[i];
             from[i] = -margin * per_unit[i];
             to[i] = std::numeric_limits<double>::infinity();

@@ -65,6 +65,8 @@ class TriangleTree {
             }
             unit[count++] = length;
         }
+        dvec3 start(std::size_t i) const { return {origin[0][i], origin[1][i], origin[2][i]}; }
+        dvec3 along(std::size_t i) const { return {direction[0][i], direction[1][i], direction[2][i]}; }
     };
     /// Can lines be asked about together? Not with an Embree that was built without packets.
     bool visits_together() const;
