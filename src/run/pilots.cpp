@@ -16,9 +16,9 @@ Pilots send_pilots(Scene const& scene, WavelengthTable const& optics, Emission c
 Value pilots_value(Pilots const& pilots) {
     Value polarisation = nothing();
     if (pilots.polarisation) {
-        Table moves;
+        Array moves;
         for (PolarisationMove const& move : *pilots.polarisation)
-            moves.emplace_back(move.what, of(move.share));
+            moves.push_back(of(Table{{"what", of(move.what)}, {"share", of(move.share)}}));
         polarisation = of(std::move(moves));
     }
     Table dispersion;

@@ -103,21 +103,26 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("an open mesh that a curved method is asked for says that it is met by its triangles", "[curved]") {
+TEST_CASE("an open mirror is curved where that is asked for; a body with a hole is not, and says so",
+          "[curved]") {
     TemporaryFolder const folder("curved-open");
     folder.write("sheet.obj",
                  "v -5 -5 0\nv 5 -5 0\nv 5 5 0\nv -5 5 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1//1 3//1 4//1\n");
+    folder.write("torn.obj", "v 50 0 0\nv 60 0 0\nv 50 10 0\nv 50 0 10\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
     std::string const sheet =
         "[surface]\nmirror = {reflect = 1}\n[[object]]\nname = \"sheet\"\nmodel = \"sheet.obj\"\n"
         "length_unit = \"mm\"\nsurface = \"mirror\"\n";
+    std::string const torn =
+        "[[object]]\nname = \"torn\"\nmodel = \"torn.obj\"\nlength_unit = \"mm\"\nmedium = \"N-BK7\"\n";
     std::string const light =
         "[[source]]\nname = \"light\"\nbeam = {from_mm = [0, 0, -20], toward = [0, 0, 1], radius_mm = 2, "
         "pattern = \"hexagonal\", rays = 20}\n";
-    auto const warnings = [&](std::string const& method) {
-        return to_json(*traced(folder, method, sheet, light).find("warnings"));
+    auto const warnings = [&](std::string const& method, std::string const& object) {
+        return to_json(*traced(folder, method, object, light).find("warnings"));
     };
-    CHECK(
-        warnings("fitted").find("sheet: an open mesh is not taken as curved; it is traced as interpolated") !=
-        std::string::npos);
-    CHECK(warnings("interpolated").find("not taken as curved") == std::string::npos);
+    CHECK(warnings("fitted", sheet).find("not taken as curved") == std::string::npos);
+    CHECK(warnings("fitted", sheet + torn)
+              .find("torn: a mesh with holes is not taken as curved; it is traced as facet") !=
+          std::string::npos);
+    CHECK(warnings("interpolated", torn).find("not taken as curved") == std::string::npos);
 }
