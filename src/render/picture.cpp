@@ -137,9 +137,9 @@ std::vector<RayView> PictureMaker::look(std::span<Ray const> rays, std::uint64_t
                                         EventCounts& ended) const {
     TraceContext const context{scene_, *optics_, *nothing_, trace_, SumUnit::for_total(1.0)};
     double const step = 1.0 / std::sqrt(static_cast<double>(picture_.options.samples));
-    TreeShader shader({scene_, *optics_, picture_, sky_, dispersive_, textures_, to_objects_, camera_, step,
-                       caustics_},
-                      one_tree_channels, by_lines);
+    TreeShader shader(
+        {scene_, *optics_, picture_, sky_, dispersive_, textures_, to_objects_, camera_, step, caustics_},
+        one_tree_channels, by_lines);
     EventCounts const counts = trace_rays(context, first, rays, shader, start_ ? &*start_ : nullptr);
     for (std::size_t i = 0; i < counts.size(); ++i)
         ended[i] += counts[i];

@@ -34,7 +34,7 @@ struct ModelReference {
     std::vector<std::string> parts; // empty or "*": all
     std::vector<MaterialMapping> materials;
     Place place;
-    double decimate = 0.0; // m in the world: it is traced in fewer triangles, no vertex farther off them
+    double decimate = 0.0;   // m in the world: it is traced in fewer triangles, no vertex farther off them
     bool smooth = false;     // a mesh without normals gets some
     bool open_walls = false; // of a medium: what is not closed is a wall of it without thickness
 };
