@@ -11,7 +11,26 @@
 #include <iostream>
 #include <new>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace {
+
+/// Batches and tiles come and go: what one gives back the next one takes, without the system's clearing pages
+/// in between while all threads wait (measured: a fifth of the time of a picture of two spheres on two
+/// threads).
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
+    keep_freed_memory();
     CLI::App app("Traces light through glass and mirrors: every ray splits into a tree by Snell and Fresnel.",
                  "sahl");
     app.set_version_flag("--version", sahl::program_name());

@@ -4,13 +4,7 @@
 #include "image/image.h"
 #include "math/vec.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
-#include <new>
-#include <string>
-#include <type_traits>
 #include <vector>
 
 namespace sahl {
@@ -28,37 +22,10 @@ struct FilmPixel {
     bool seen() const { return samples > 0; }
 };
 
-/// Pixels that nothing was added to. Their memory is the system's, which gives it cleared, and page by page
-/// to whoever comes there first: threads share that work.
-class FilmPixels {
-  public:
-    explicit FilmPixels(std::size_t count)
-        : count_(count),
-          pixels_(static_cast<FilmPixel*>(std::calloc(std::max(count, std::size_t{1}), sizeof(FilmPixel)))) {
-        static_assert(std::is_trivially_copyable_v<FilmPixel>); // all of it 0 is a pixel without a sample
-        if (!pixels_)
-            throw std::bad_alloc();
-    }
-    std::size_t size() const { return count_; }
-    FilmPixel* begin() { return pixels_.get(); }
-    FilmPixel* end() { return pixels_.get() + count_; }
-    FilmPixel const* begin() const { return pixels_.get(); }
-    FilmPixel const* end() const { return pixels_.get() + count_; }
-    FilmPixel& operator[](std::size_t i) { return begin()[i]; }
-    FilmPixel const& operator[](std::size_t i) const { return begin()[i]; }
-
-  private:
-    struct Free {
-        void operator()(FilmPixel* pixels) const { std::free(pixels); }
-    };
-    std::size_t count_;
-    std::unique_ptr<FilmPixel, Free> pixels_;
-};
-
 struct Film {
     std::uint32_t columns = 0, rows = 0;
     double filter_mean = 1.0; // of samples' weights, were there many
-    FilmPixels pixels;
+    std::vector<FilmPixel> pixels;
 
     Film(std::uint32_t width, std::uint32_t height, double mean_weight)
         : columns(width), rows(height), filter_mean(mean_weight), pixels(std::size_t{width} * height) {}
