@@ -6,7 +6,7 @@ namespace sahl {
 
 namespace {
 
-// Measured with a scan of 235 136 triangles: packets that go more ways than this are slower than single rays.
+// Set by a scan of 235 136 triangles, where half or twice of each made no clear difference.
 constexpr double least_cosine = 0.95;
 constexpr double farthest_start = 0.05; // of the mesh's size
 constexpr std::size_t least_together = 6;
