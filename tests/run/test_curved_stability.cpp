@@ -103,7 +103,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("an open mirror is curved where that is asked for; a body with a hole is not, and says so",
+TEST_CASE("an open mirror is curved where that is asked for, and a body with a hole is not, and says so",
           "[curved]") {
     TemporaryFolder const folder("curved-open");
     folder.write("sheet.obj",

@@ -80,7 +80,7 @@ TEST_CASE("pilots tell how far a detector's power would move, as the closed form
                                  true)) == moves(1.0, one_mean));
 }
 
-TEST_CASE("a warning names the detector, the way and the figure; below the tolerance there is none") {
+TEST_CASE("a warning names the detector, the way and the figure, and below the tolerance there is none") {
     std::string const experiment = plates(2, false, "", true);
     auto const warnings = warnings_of(summarise(experiment));
     REQUIRE(warnings.size() == 1);
