@@ -129,7 +129,9 @@ NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& i
 
 /// Among all, of which several may lie at one place.
 NextHit Bvh::State::next_among(Question const& question) const {
-    auto const& [origin, direction, inside, left, from, ahead] = question;
+    dvec3 const &origin = question.origin, &direction = question.direction;
+    ShellSet const& inside = question.inside;
+    double const from = question.from;
     Nearest nearest_ones;
     auto& candidates = nearest_ones.candidates;
     double& horizon = nearest_ones.horizon;

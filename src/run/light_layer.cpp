@@ -45,8 +45,8 @@ bool lies_on_paint(Scene const& scene, DetectorSpec const& raised) {
     dvec3 const down = -raised.to_world.linear[2];
     double const size = std::max(raised.size.x, raised.size.y), behind_itself = 0.01 * on_rectangle * size;
     for (int i = 0; i < looks_a_side * looks_a_side; ++i) {
-        dvec2 const share((i % looks_a_side + 0.5) / looks_a_side - 0.5,
-                          (i / looks_a_side + 0.5) / looks_a_side - 0.5);
+        int const row = i / looks_a_side, column = i % looks_a_side;
+        dvec2 const share((column + 0.5) / looks_a_side - 0.5, (row + 0.5) / looks_a_side - 0.5);
         dvec3 const from = raised.to_world.point(dvec3(share * raised.size, -behind_itself));
         Bvh::Start const start = scene.bvh->start_at(from, down);
         Interface found;
