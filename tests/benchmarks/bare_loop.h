@@ -4,15 +4,9 @@
 // nothing but by an epsilon.
 #pragma once
 
-#include "geometry/mesh.h"
+#include "float_scene.h"
 #include "optics/fresnel.h"
 #include "optics/snell.h"
-
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <optional>
 #include <vector>
@@ -21,31 +15,9 @@ namespace sahl::bench {
 
 class BareLoop {
   public:
-    explicit BareLoop(Mesh const& mesh) : mesh_(mesh), device_(rtcNewDevice(nullptr)) {
-        scene_ = rtcNewScene(device_);
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        RTCGeometry const geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto const& soup = mesh.soup;
-        auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, soup.positions.size()));
-        for (dvec3 const& p : soup.positions)
-            for (int axis = 0; axis < 3; ++axis)
-                *vertex++ = static_cast<float>(p[axis]);
-        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, soup.triangles.size()));
-        for (auto const& triangle : soup.triangles)
-            index = std::copy(triangle.begin(), triangle.end(), index);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
-        epsilon_ = static_cast<float>(1e-5 * length(mesh.high - mesh.low));
-    }
-    BareLoop(BareLoop const&) = delete;
-    ~BareLoop() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
+    explicit BareLoop(Mesh const& mesh)
+        : mesh_(mesh), scene_(mesh, RTC_SCENE_FLAG_ROBUST),
+          epsilon_(static_cast<float>(1e-5 * length(mesh.high - mesh.low))) {}
 
     struct Hit {
         double t;
@@ -128,8 +100,7 @@ class BareLoop {
         bool inside;
     };
     Mesh const& mesh_;
-    RTCDevice device_;
-    RTCScene scene_;
+    FloatScene scene_;
     float epsilon_;
     std::vector<Branch> stack_;
 };

@@ -2,6 +2,7 @@
 // with medium and normal), in packets and one by one, beside Embree's own packets of 16 with the coherent
 // hint on the same rays and the same triangles. One thread; CPU seconds of the thread, in turn, medians.
 //   camera_rays [FILE.obj]...
+#include "float_scene.h"
 #include "support/cpu_clock.h"
 #include "support/lab.h"
 #include "support/meshes.h"
@@ -10,12 +11,6 @@
 #include "render/camera_rays.h"
 #include "scene/interface.h"
 #include "scene/read_obj.h"
-
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <cstdio>
 
@@ -30,28 +25,7 @@ constexpr std::size_t together = Bvh::most_together;
 /// Nothing but Embree: what it is that a ray hits, in float.
 class RawPackets {
   public:
-    explicit RawPackets(Mesh const& mesh) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-        RTCGeometry const geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto const& soup = mesh.soup;
-        auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, soup.positions.size()));
-        for (dvec3 const& p : soup.positions)
-            for (int axis = 0; axis < 3; ++axis)
-                *vertex++ = static_cast<float>(p[axis]);
-        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, soup.triangles.size()));
-        for (auto const& triangle : soup.triangles)
-            index = std::copy(triangle.begin(), triangle.end(), index);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
-    }
-    RawPackets(RawPackets const&) = delete;
-    ~RawPackets() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
+    explicit RawPackets(Mesh const& mesh) : scene_(mesh, RTC_SCENE_FLAG_NONE) {}
 
     /// How many of them hit something.
     std::size_t hits(std::span<CameraRay const> rays) const {
@@ -90,8 +64,7 @@ class RawPackets {
     }
 
   private:
-    RTCDevice device_;
-    RTCScene scene_;
+    FloatScene scene_;
 };
 
 /// Of a picture of 640 × 480 that the mesh fills: squares of 4 × 4 pixels, or the samples of a pixel.
