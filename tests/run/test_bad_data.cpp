@@ -42,14 +42,7 @@ bool lost(Segment const& segment) {
 Lab lab_of(double beam_radius) {
     Lab lab;
     lab.experiment.trace.min_power = 1e-3;
-    Beam beam{};
-    beam.toward = normalize(dvec3(0.05, 0.02, 1.0));
-    beam.from = dvec3(1e-4, 2e-4, 0.0) - 0.02 * beam.toward;
-    beam.up = perpendicular_to(beam.toward);
-    beam.radius = beam_radius;
-    beam.pattern = Pattern::hexagonal;
-    beam.rays = 1000;
-    lab.source(beam);
+    lab.source(slanting_beam(beam_radius, 1000));
     return lab;
 }
 

@@ -27,14 +27,7 @@ struct Stage {
     static Scene made(Pair const& pair, double beam_radius, bool exact) {
         Lab lab;
         MediumId const glass = lab.medium(pair.index);
-        Beam beam{};
-        beam.toward = normalize(dvec3(0.05, 0.02, 1.0));
-        beam.from = dvec3(1e-4, 2e-4, 0.0) - 0.02 * beam.toward;
-        beam.up = perpendicular_to(beam.toward);
-        beam.radius = beam_radius;
-        beam.pattern = Pattern::hexagonal;
-        beam.rays = 1500;
-        lab.source(beam);
+        lab.source(slanting_beam(beam_radius, 1500));
         if (exact)
             lab.body("body", pair.shape, glass, pair.place);
         Scene scene = build_scene(lab.experiment);

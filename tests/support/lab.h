@@ -60,6 +60,18 @@ inline Affine moved(dvec3 const& offset) {
     return {dmat3(1.0), offset};
 }
 
+/// About the z axis, all but: along no axis, and through no centre.
+inline Beam slanting_beam(double radius, std::uint64_t rays) {
+    Beam beam{};
+    beam.toward = normalize(dvec3(0.05, 0.02, 1.0));
+    beam.from = dvec3(1e-4, 2e-4, 0.0) - 0.02 * beam.toward;
+    beam.up = perpendicular_to(beam.toward);
+    beam.radius = radius;
+    beam.pattern = Pattern::hexagonal;
+    beam.rays = rays;
+    return beam;
+}
+
 /// Of a sheet or a detector at `at` whose +z looks along `facing`.
 inline Affine facing(dvec3 const& at, dvec3 const& facing_, dvec3 const& up = dvec3(0.0)) {
     dvec3 const z = normalize(facing_), y = perpendicular_to(z, up);
