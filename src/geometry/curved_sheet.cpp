@@ -1,5 +1,7 @@
 #include "geometry/curved_sheet.h"
 
+#include "geometry/mesh_sheet.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,24 +12,19 @@ namespace {
 
 /// Weights: cells overlap by so much, so that rounding leaves nothing between them.
 constexpr double overlap_of_cells = 1e-10;
-/// How far behind its start a line is searched, in multiples of the rounding: a meeting that grazes at 1e-6
-/// rad and lies within the rounding of the start along its normal.
-constexpr double far_behind = 1e6;
 
 } // namespace
 
 std::optional<CurvedCrossing> CurvedSheet::next(dvec3 const& origin, dvec3 const& direction, Reach reach,
                                                 double rounding, std::optional<bool> above) const {
     std::optional<CurvedCrossing> best;
-    double const start = reach.from - far_behind * rounding / length(direction);
-    double const margin = reach.from > 0.0 ? rounding : 0.0; // as of MeshSheet
+    AheadOnSheet const ahead{reach, rounding, above};
+    double const start = ahead.start(direction);
     CurvedTree::Care const care{false, overlap_of_cells, rounding};
     patches_.boxes_->visit(origin, direction, {start, reach.to}, [&](std::uint32_t triangle, double to) {
         for (bool const rises : {false, true}) {
             auto const c = patches_.meet(triangle, origin, direction, rises, start, care);
-            if (!c || c->t > to || (c->t - reach.from) * c->slope < -margin)
-                continue;
-            if (above && std::abs(c->t) * c->slope <= rounding && c->enters != *above)
+            if (!c || c->t > to || !ahead.holds(c->t, c->slope, c->enters))
                 continue;
             if (!best || std::pair(c->t, triangle) < std::pair(best->t, best->triangle))
                 best = c;

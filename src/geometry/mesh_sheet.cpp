@@ -15,10 +15,6 @@ TriangleCorners corners_of(Mesh const& mesh, std::uint32_t triangle) {
     return {mesh.soup.positions[a], mesh.soup.positions[b], mesh.soup.positions[c]};
 }
 
-/// How far behind its start a line is searched, in multiples of the rounding: a meeting that grazes at 1e-6
-/// rad and lies within the rounding of the start along its normal.
-constexpr double far_behind = 1e6;
-
 std::vector<Bounds> triangle_bounds(Mesh const& mesh) {
     std::vector<Bounds> bounds;
     bounds.reserve(mesh.soup.triangles.size());
@@ -79,20 +75,16 @@ std::optional<SheetMeeting> MeshSheet::meet(dvec3 const& origin, dvec3 const& di
 std::optional<SheetMeeting> MeshSheet::next(dvec3 const& origin, dvec3 const& direction, Reach reach,
                                             double rounding, std::optional<bool> above) const {
     std::optional<SheetMeeting> best;
-    double const start = reach.from - far_behind * rounding / length(direction);
-    // From its start a ray meets what lies ahead. Farther on, where a boundary was passed in silence, the
-    // sheet may lie on that boundary.
-    double const margin = reach.from > 0.0 ? rounding : 0.0;
-    tree_.visit(origin, direction, {start, reach.to}, [&](std::uint32_t triangle, double to) {
-        auto const m = meet(origin, direction, rounding, triangle);
-        if (!m || m->t > to || (m->t - reach.from) * m->slope < -margin)
-            return to;
-        if (above && std::abs(m->t) * m->slope <= rounding && m->against != *above)
-            return to;
-        if (!best || std::pair(m->t, triangle) < std::pair(best->t, best->triangle))
-            best = m;
-        return std::min(to, best->t);
-    });
+    AheadOnSheet const ahead{reach, rounding, above};
+    tree_.visit(origin, direction, {ahead.start(direction), reach.to},
+                [&](std::uint32_t triangle, double to) {
+                    auto const m = meet(origin, direction, rounding, triangle);
+                    if (!m || m->t > to || !ahead.holds(m->t, m->slope, m->against))
+                        return to;
+                    if (!best || std::pair(m->t, triangle) < std::pair(best->t, best->triangle))
+                        best = m;
+                    return std::min(to, best->t);
+                });
     return best;
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/embree/box_tree.h"
 #include "geometry/mesh.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -20,6 +21,23 @@ struct SheetMeeting {
 
     /// How far rounding (m, along the normal) may shift t.
     double blur(double rounding) const { return std::min(rounding / slope, range); }
+};
+
+/// What of the meetings of a line with a sheet lies ahead of where a ray is on it. From its start a ray meets
+/// what lies ahead. Farther on, where a boundary was passed in silence, the sheet may lie on that boundary.
+struct AheadOnSheet {
+    Reach reach;
+    double rounding; // as MeshSheet::next has it, with what follows
+    std::optional<bool> above;
+
+    /// Where the line's search begins: a meeting that grazes at 1e-6 rad and lies within the rounding of the
+    /// start along its normal is found.
+    double start(dvec3 const& direction) const { return reach.from - 1e6 * rounding / length(direction); }
+    bool holds(double t, double slope, bool against) const {
+        double const margin = reach.from > 0.0 ? rounding : 0.0;
+        bool const left = above && std::abs(t) * slope <= rounding && against != *above;
+        return (t - reach.from) * slope >= -margin && !left;
+    }
 };
 
 class MeshSheet {
