@@ -41,7 +41,7 @@ bool CurvedQuery::meet(Proposed const& proposed, CurvedCrossing& crossing) const
         crossing.uv = {met->v, met->w};
         crossing.triangle = triangle;
         crossing.enters = along < 0.0;
-        return true;
+        return !tree_.lies_beside(crossing, length(direction_), rounding_);
     }
     return false;
 }

@@ -21,7 +21,7 @@ class CurvedSheet {
 
     Mesh const& mesh() const { return patches_.mesh(); }
     Bounds const& box() const { return patches_.box(); }
-    double blur(double rounding) const { return patches_.blur(rounding); }
+    double blur(std::uint32_t triangle, double rounding) const { return patches_.blur(triangle, rounding); }
 
   private:
     CurvedTree patches_;

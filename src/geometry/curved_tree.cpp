@@ -110,7 +110,23 @@ std::optional<CurvedCrossing> CurvedTree::meet(std::uint32_t triangle, dvec3 con
     crossing.slope = std::abs(dot(crossing.geometric, direction));
     crossing.triangle = triangle;
     crossing.enters = !rises;
+    if (care.overlap <= overlap_of_cells && lies_beside(crossing, length(direction), care.rounding))
+        return std::nullopt;
     return crossing;
+}
+
+bool CurvedTree::lies_beside(CurvedCrossing const& crossing, double unit, double rounding) const {
+    std::array<double, 3> const weights{1.0 - crossing.uv.x - crossing.uv.y, crossing.uv.x, crossing.uv.y};
+    if (weights[0] >= 0.0 && weights[1] >= 0.0 && weights[2] >= 0.0)
+        return false;
+    Patch const& here = patch(crossing.triangle);
+    std::array<double, 3> const sides{length(here.to_third - here.to_second), length(here.to_third),
+                                      length(here.to_second)};
+    double const area = length(cross(here.to_second, here.to_third));
+    for (std::size_t k = 0; k < 3; ++k)
+        if (-weights[k] * (area / sides[k]) * crossing.slope > rounding * unit)
+            return true;
+    return false;
 }
 
 std::optional<CurvedCrossing> CurvedTree::foot(std::uint32_t triangle, dvec3 const& place) const {

@@ -53,9 +53,11 @@ class CurvedTree {
     PatchKind kind() const { return kind_; }
     /// The box of the patches.
     Bounds const& box() const { return box_; }
-    /// How far (m, along the normal) rounding may shift a crossing, that of fitting the same data twice
-    /// included.
-    double blur(double rounding) const { return rounding + fit_blur_; }
+    /// How far (m, along the normal) rounding may shift a crossing with a triangle's patch, that of fitting
+    /// the same data twice included.
+    double blur(std::uint32_t triangle, double rounding) const {
+        return patch(triangle).flat ? rounding : rounding + fit_blur_;
+    }
     /// Bytes a triangle that this takes beyond the mesh itself and Embree's tree, when every vertex is
     /// fitted.
     double bytes_per_triangle() const;
@@ -86,6 +88,10 @@ class CurvedTree {
         double overlap = 0.0;  // weight: how far beside a patch it may be met
         double rounding = 0.0; // m
     };
+    /// Is it met beside its patch by more than rounding can move it? Where a line runs along an edge, the
+    /// overlap of cells is many roundings wide.
+    ///   unit, rounding   the direction's length; m, along the normal
+    bool lies_beside(CurvedCrossing const& crossing, double unit, double rounding) const;
     /// Every place that the line may meet, grazing or not, by the patches' boxes.
     std::optional<CurvedCrossing> nearest(dvec3 const& origin, dvec3 const& direction, InsideShells inside,
                                           Reach reach, Care const& care) const;

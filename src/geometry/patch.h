@@ -27,6 +27,7 @@ struct alignas(64) Patch {
     enum Made : std::uint32_t { bare, even, uneven };
     std::atomic<Made> made{bare}; // heights and tilts are there; uneven: far from the quadratic surface,
                                   // or in a cell that leans much
+    bool flat = false;            // to rounding: where it is does not hang on what was fitted
     bool stood_in = false;        // the quadratic surface is there in part, where what was fitted strays
 
     dvec3 direction(std::size_t k) const {

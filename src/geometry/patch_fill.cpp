@@ -256,6 +256,9 @@ Patch::Made fill(Patch& patch, SmoothFans const& fans, std::uint32_t triangle, R
         filler.stood_in = filler.stood_in || !fields[k] ||
                           (relief.has_chord(k) && (fans.triangles[triangle].creases >> k & 1) == 0);
     patch.stood_in = kind != PatchKind::quadratic && filler.stood_in;
+    patch.flat = std::all_of(patch.height.begin(), patch.height.end(), [&](float h) {
+        return std::abs(static_cast<double>(h)) <= 0x1p-50 * fans.reach; // four ulps of the coordinates
+    });
     constexpr double little = 0.02; // of the layer that the surface may lie in
     bool const near_quadratic =
         filler.strays <= little * (static_cast<double>(relief.high) - static_cast<double>(relief.low));

@@ -130,6 +130,17 @@ double least_blur(Placed::LocalRay const& ray) {
     return ray.rounding / length(ray.direction);
 }
 
+/// What is met of patches.
+///   off   m: how far rounding may move it, along the normal
+void set(Candidate& found, CurvedCrossing const& c, Mesh const& mesh, bool open, double off,
+         Placed::LocalRay const& ray) {
+    found.set(c.t, c.slope > 0.0 ? std::max(off / c.slope, least_blur(ray)) : INFINITY,
+              mesh.face_of(c.triangle), open, c.enters, c.triangle, c.uv, c.normal);
+    found.recovered = c.recovered;
+    found.point = c.point;
+    found.geometric = c.geometric;
+}
+
 } // namespace
 
 Candidate Placed::candidate(MeshCrossing const& c, LocalRay const& ray) const {
@@ -193,26 +204,14 @@ double Placed::next_of_others(LocalRay const& ray, ShellSet const& inside, Reach
             [&](Patches const& patches) {
                 CurvedAnswer const answer = patches->next(
                     ray.origin, ray.direction, {inside, geometry.first_shell}, reach, ray.rounding);
-                if (auto const& c = answer.crossing) {
-                    double const blur = patches->blur(ray.rounding);
-                    found.set(c->t, c->slope > 0.0 ? std::max(blur / c->slope, least_blur(ray)) : INFINITY,
-                              patches->mesh().face_of(c->triangle), false, c->enters, c->triangle, c->uv,
-                              c->normal);
-                    found.recovered = c->recovered;
-                    found.point = c->point;
-                    found.geometric = c->geometric;
-                }
+                if (answer.crossing)
+                    set(found, *answer.crossing, patches->mesh(), false,
+                        patches->blur(answer.crossing->triangle, ray.rounding), ray);
                 return answer.contradiction;
             },
             [&](OpenPatches const& sheet) {
-                if (auto const c = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above)) {
-                    double const blur = sheet->blur(ray.rounding);
-                    found.set(c->t, c->slope > 0.0 ? std::max(blur / c->slope, least_blur(ray)) : INFINITY,
-                              sheet->mesh().face_of(c->triangle), true, c->enters, c->triangle, c->uv,
-                              c->normal);
-                    found.point = c->point;
-                    found.geometric = c->geometric;
-                }
+                if (auto const c = sheet->next(ray.origin, ray.direction, reach, ray.rounding, above))
+                    set(found, *c, sheet->mesh(), true, sheet->blur(c->triangle, ray.rounding), ray);
                 return INFINITY + 0.0;
             },
             [&](Sheet const& sheet) {
