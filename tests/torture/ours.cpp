@@ -2,6 +2,7 @@
 #include "torture/ours.h"
 
 #include "geometry/mesh_tree.h"
+#include "geometry/smooth_fans.h"
 #include "scene/interface.h"
 
 #include <array>
@@ -223,6 +224,22 @@ class WithoutContact : public Finder {
     std::uint32_t met_ = 0;
 };
 
+/// Is each side of its triangles a crease, or has both its triangles in one plane? Then it is what it stands
+/// for.
+bool is_flat_faced(Mesh const& mesh) {
+    if (!mesh.closed())
+        return false;
+    SmoothFans const fans = smooth_fans(std::make_shared<Mesh const>(mesh));
+    for (auto const& triangle : fans.triangles) {
+        dvec3 const normal = cross(fans.fans[triangle.fans[1]].place - fans.fans[triangle.fans[0]].place,
+                                   fans.fans[triangle.fans[2]].place - fans.fans[triangle.fans[0]].place);
+        for (std::uint32_t const fan : triangle.fans)
+            if (!(dot(normalize(normal), fans.fans[fan].normal) > 1.0 - 1e-15))
+                return false;
+    }
+    return true;
+}
+
 } // namespace
 
 Scene sahl_scene(TortureCase const& torture, Curving curving) {
@@ -272,6 +289,17 @@ std::unique_ptr<Finder> ours(TortureCase const& torture) {
 
 std::unique_ptr<Finder> ours_curved(TortureCase const& torture, Curving curving) {
     return std::make_unique<Ours>(torture, curving);
+}
+
+bool is_flat_faced(TortureCase const& torture) {
+    bool any = false;
+    for (TorturePart const& part : torture.parts)
+        if (auto const* const mesh = std::get_if<MeshRef>(&part.geometry)) {
+            if (!part.mirror && !is_flat_faced(**mesh))
+                return false;
+            any = any || !part.mirror;
+        }
+    return any;
 }
 
 std::unique_ptr<Finder> ours_in_packets(TortureCase const& torture) {

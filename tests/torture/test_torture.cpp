@@ -1,13 +1,11 @@
 // The torture suite, thinned: no event is wrong, in any case, in the round variant and in some with other
 // radii, triangulations, angles and places. With 1e6 rays a case: tests/benchmarks/next_hit.
-#include "geometry/smooth_fans.h"
 #include "support/catch.h"
 #include "torture/cases.h"
 #include "torture/follow.h"
 #include "torture/ours.h"
 
 #include <algorithm>
-#include <memory>
 
 using namespace sahl::bench;
 using sahl::dvec3;
@@ -33,33 +31,6 @@ void check(Adder add, std::uint64_t variant, std::uint64_t rays, decltype(ours)*
     add(cases, variant);
     for (TortureCase const& torture : cases)
         judge_case(torture, *way(torture), variant + 1, rays);
-}
-
-/// Is each side of its triangles a crease, or has both its triangles in one plane? Then it is what it stands
-/// for.
-bool is_flat_faced(sahl::Mesh const& mesh) {
-    if (!mesh.closed())
-        return false;
-    sahl::SmoothFans const fans = sahl::smooth_fans(std::make_shared<sahl::Mesh const>(mesh));
-    for (auto const& triangle : fans.triangles) {
-        dvec3 const normal = cross(fans.fans[triangle.fans[1]].place - fans.fans[triangle.fans[0]].place,
-                                   fans.fans[triangle.fans[2]].place - fans.fans[triangle.fans[0]].place);
-        for (std::uint32_t const fan : triangle.fans)
-            if (!(dot(normalize(normal), fans.fans[fan].normal) > 1.0 - 1e-15))
-                return false;
-    }
-    return true;
-}
-
-bool is_flat_faced(TortureCase const& torture) {
-    bool any = false;
-    for (TorturePart const& part : torture.parts)
-        if (auto const* const mesh = std::get_if<MeshRef>(&part.geometry)) {
-            if (!part.mirror && !is_flat_faced(**mesh))
-                return false;
-            any = any || !part.mirror;
-        }
-    return any;
 }
 
 } // namespace

@@ -17,22 +17,44 @@ using namespace sahl::bench;
 
 namespace {
 
+/// Closed meshes and nothing else: what the methods in float know.
+bool all_meshes(TortureCase const& torture) {
+    return std::all_of(torture.parts.begin(), torture.parts.end(), [](TorturePart const& part) {
+        return std::holds_alternative<MeshRef>(part.geometry) && !part.mirror && !part.torn;
+    });
+}
+
+/// Closed bodies, which is all that is known without contact.
+bool all_closed(TortureCase const& torture) {
+    return std::none_of(torture.parts.begin(), torture.parts.end(),
+                        [](TorturePart const& part) { return part.mirror || part.torn; });
+}
+
+bool any(TortureCase const&) {
+    return true;
+}
+
 struct Way {
     char const* name;
     std::unique_ptr<Finder> (*make)(TortureCase const&);
-    bool meshes_only;
+    bool (*knows)(TortureCase const&);
 };
 
 constexpr Way ways[] = {
-    {"plain loop", plain_loop, true},
-    {"fixed epsilon", fixed_epsilon, true},
-    {"relative epsilon", relative_epsilon, true},
-    {"integer offset", integer_offset, true},
-    {"error-bound offset", error_bound_offset, true},
-    {"exclude last triangle", exclude_last, true},
-    {"sahl without contact", ours_without_contact, false},
-    {"sahl", ours, false},
-    {"sahl in packets", ours_in_packets, false}, // where it is asked for
+    {"plain loop", plain_loop, all_meshes},
+    {"fixed epsilon", fixed_epsilon, all_meshes},
+    {"relative epsilon", relative_epsilon, all_meshes},
+    {"integer offset", integer_offset, all_meshes},
+    {"error-bound offset", error_bound_offset, all_meshes},
+    {"exclude last triangle", exclude_last, all_meshes},
+    {"sahl without contact", ours_without_contact, all_closed},
+    {"sahl", ours, any},
+    {"sahl quadratic",
+     [](TortureCase const& torture) { return ours_curved(torture, sahl::Curving::quadratic); },
+     is_flat_faced},
+    {"sahl fitted", [](TortureCase const& torture) { return ours_curved(torture, sahl::Curving::fitted); },
+     is_flat_faced},
+    {"sahl in packets", ours_in_packets, any}, // where it is asked for
 };
 
 struct Options {
@@ -105,19 +127,6 @@ std::vector<double> times_of(TortureCase const& torture, std::vector<std::unique
     return times;
 }
 
-/// Closed meshes and nothing else: what the methods in float know.
-bool all_meshes(TortureCase const& torture) {
-    return std::all_of(torture.parts.begin(), torture.parts.end(), [](TorturePart const& part) {
-        return std::holds_alternative<MeshRef>(part.geometry) && !part.mirror && !part.torn;
-    });
-}
-
-/// Closed bodies, which is all that is known without contact.
-bool all_closed(TortureCase const& torture) {
-    return std::none_of(torture.parts.begin(), torture.parts.end(),
-                        [](TorturePart const& part) { return part.mirror || part.torn; });
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -135,8 +144,7 @@ int main(int argc, char** argv) {
         std::vector<std::unique_ptr<Finder>> methods;
         std::vector<char const*> names;
         for (Way const& way : ways)
-            if ((!way.meshes_only || all_meshes(torture)) &&
-                (way.make != ours_without_contact || all_closed(torture)) &&
+            if (way.knows(torture) &&
                 (options.method.empty() ? way.make != ours_in_packets : way.name == options.method)) {
                 methods.push_back(way.make(torture));
                 names.push_back(way.name);
