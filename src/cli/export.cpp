@@ -25,7 +25,7 @@ struct ExportArguments {
     std::string from, to, detector, where, layout, bodies, colour = "wavelength";
     std::vector<std::string> set;
     unsigned fineness = 120;
-    double decimate_mm = 0.0;
+    double decimate_mm = 0.0, subdivide_mm = 0.0;
 };
 
 bool is_experiment(std::filesystem::path const& file) {
@@ -40,8 +40,9 @@ void export_bodies(ExportArguments const& arguments) {
     if (!arguments.where.empty())
         throw InputError(arguments.from, "--where goes with a log, and this is an experiment",
                          "give the run's folder, or leave --where away");
-    for (std::string const& line : export_model(load_experiment(arguments.from, arguments.set),
-                                                arguments.fineness, to, 1e-3 * arguments.decimate_mm))
+    for (std::string const& line :
+         export_model(load_experiment(arguments.from, arguments.set), arguments.fineness, to,
+                      1e-3 * arguments.decimate_mm, 1e-3 * arguments.subdivide_mm))
         std::printf("%s\n", line.c_str());
 }
 
@@ -60,6 +61,9 @@ void export_rays(ExportArguments const& arguments) {
     if (arguments.decimate_mm > 0.0)
         throw InputError(arguments.from, "--decimate-mm goes with an experiment, and this is a log",
                          "give the experiment, or leave --decimate-mm away");
+    if (arguments.subdivide_mm > 0.0)
+        throw InputError(arguments.from, "--subdivide-mm goes with an experiment, and this is a log",
+                         "give the experiment, or leave --subdivide-mm away");
     if (!arguments.set.empty())
         throw InputError(arguments.from, "--set goes with an experiment, and this is a log",
                          "give the experiment, or leave --set away");
@@ -102,10 +106,16 @@ void add_export(CLI::App& app, int& status) {
                      "Of exact shapes: into how many pieces a full turn is cut")
         ->check(CLI::Range(coarsest_turn, finest_turn))
         ->capture_default_str();
+    CLI::Option* const fewer =
+        command
+            ->add_option("--decimate-mm", arguments->decimate_mm,
+                         "Of meshes: fewer triangles, so that no vertex lies farther off them")
+            ->check(CLI::PositiveNumber);
     command
-        ->add_option("--decimate-mm", arguments->decimate_mm,
-                     "Of meshes: fewer triangles, so that no vertex lies farther off them")
-        ->check(CLI::PositiveNumber);
+        ->add_option("--subdivide-mm", arguments->subdivide_mm,
+                     "Of meshes: more triangles, so near to the curved surface that they stand for")
+        ->check(CLI::PositiveNumber)
+        ->excludes(fewer);
     command->add_option("--detector", arguments->detector,
                         "Of .tm25ray: the detector, or the face, whose rays are written");
     command
