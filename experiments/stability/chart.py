@@ -4,7 +4,7 @@ and formulae write them. Out: results.md, formulae.md and chart.svg beside them:
 nanoseconds an event, each method on the same rays.
 
     build/release/benchmarks/next_hit --rays 2000 --csv experiments/stability/results.csv
-    build/release/benchmarks/next_hit --rays 1000000 --method sahl --no-time --csv experiments/stability/results-long.csv
+    build/release/benchmarks/next_hit --rays 100000 --method sahl --no-time --csv experiments/stability/results-long.csv
     build/release/benchmarks/formulae 1000000 experiments/stability/formulae.csv
     experiments/stability/chart.py
 """
@@ -16,8 +16,8 @@ from xml.sax.saxutils import escape
 
 HERE = pathlib.Path(__file__).resolve().parent
 METHODS = ["plain loop", "fixed epsilon", "relative epsilon", "integer offset", "error-bound offset",
-           "exclude last triangle", "sahl without contact", "sahl"]
-COLOURS = ["#888888", "#e69f00", "#b8860b", "#56b4e9", "#0072b2", "#cc79a7", "#7fbf7f", "#007a3d"]
+           "exclude last triangle", "sahl without contact", "sahl", "sahl quadratic", "sahl fitted"]
+COLOURS = ["#888888", "#e69f00", "#b8860b", "#56b4e9", "#0072b2", "#cc79a7", "#7fbf7f", "#007a3d", "#d55e00", "#660033"]
 
 
 def median(values):
@@ -33,12 +33,18 @@ def pooled(rows):
 
 def long_table(rows):
     """Sahl alone, on many rays: what is wrong or left open by rounding."""
-    total = {k: sum(int(r[k]) for r in rows) for k in ("rays", "events", "wrong", "ambiguous")}
-    out = ["", f"Sahl on more rays: {len(rows)} cases, {total['rays']} rays, {total['events']} events, {total['wrong']} wrong, "
-           f"{total['ambiguous']} ambiguous. Cases with any:", "", "| case | of | rays | events | wrong | ambiguous |", "|---|---|---|---|---|---|"]
+    by_method = defaultdict(list)
     for r in rows:
-        if r["wrong"] != "0" or r["ambiguous"] != "0":
-            out.append(f"| {r['case']} | {r['of']} | {r['rays']} | {r['events']} | {r['wrong']} | {r['ambiguous']} |")
+        by_method[r["method"]].append(r)
+    out = ["", "Sahl on more rays:", ""]
+    for method, mine in by_method.items():
+        total = {k: sum(int(r[k]) for r in mine) for k in ("rays", "events", "wrong", "ambiguous")}
+        out.append(f"- {method}: {len(mine)} cases, {total['rays']} rays, {total['events']} events, {total['wrong']} wrong, {total['ambiguous']} ambiguous")
+    open_ones = [r for r in rows if r["wrong"] != "0" or r["ambiguous"] != "0"]
+    if open_ones:
+        out += ["", "| case | of | method | rays | events | wrong | ambiguous |", "|---|---|---|---|---|---|---|"]
+    for r in open_ones:
+        out.append(f"| {r['case']} | {r['of']} | {r['method']} | {r['rays']} | {r['events']} | {r['wrong']} | {r['ambiguous']} |")
     return out
 
 
