@@ -99,18 +99,6 @@ Placed place(PlacedGeometry geometry, MeshMeeting by) {
     return placed;
 }
 
-namespace {
-
-VertexShare vertices_for(Curving curving) {
-    return curving == recognised_even    ? VertexShare::even
-           : curving == recognised_odd   ? VertexShare::odd
-           : curving == recognised_heads ? VertexShare::heads
-           : curving == recognised_tails ? VertexShare::tails
-                                         : VertexShare::all;
-}
-
-} // namespace
-
 std::optional<Placed> recognised(Placed const& placed) {
     Patches const* const patches = std::get_if<Patches>(&placed.met_by);
     auto found =

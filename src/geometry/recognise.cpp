@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace sahl {
 
@@ -29,22 +30,49 @@ std::uint64_t lot_of(dvec3 const& place) {
     return lot;
 }
 
+/// By vertex of a piece: is it in the first half?
+std::vector<bool> first_half(Piece const& piece, unsigned way) {
+    std::size_t const count = piece.places.size();
+    std::vector<bool> first(count);
+    if (way < ways_by_chance) {
+        for (std::size_t i = 0; i < count; ++i)
+            first[i] = (lot_of(piece.places[i]) >> way) % 2 == 0;
+        return first;
+    }
+    constexpr std::array<std::size_t, ways_to_halve - ways_by_chance> bands{4, 6, 10};
+    dvec3 middle(0.0);
+    for (dvec3 const& p : piece.places)
+        middle += p / static_cast<double>(count);
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < count; ++i)
+        order.emplace_back(length(piece.places[i] - middle), i);
+    std::sort(order.begin(), order.end());
+    for (std::size_t rank = 0; rank < count; ++rank)
+        first[order[rank].second] = rank * bands[way - ways_by_chance] / count % 2 == 0;
+    return first;
+}
+
+/// Where there are few vertices, all but one are left.
 void leave_out(Piece& piece, VertexShare share) {
     constexpr std::size_t few = 16;
     std::size_t const count = piece.places.size();
-    if (share == VertexShare::all || count < 4)
+    if (!share.way || count < 4)
         return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        bool const even = share == VertexShare::even || share == VertexShare::heads;
-        bool const tossed = share == VertexShare::heads || share == VertexShare::tails;
-        std::size_t const inwards = tossed ? 1 : 0;
-        if (count < few ? i == (even ? inwards : count - 1 - inwards)
-                        : (lot_of(piece.places[i]) >> inwards) % 2 == (even ? 1 : 0))
-            continue;
-        piece.places[kept] = piece.places[i];
-        piece.normals[kept++] = piece.normals[i];
+    std::vector<bool> left(count, true);
+    if (count < few) {
+        std::size_t const out = *share.way % (count / 2);
+        left[share.rest ? count - 1 - out : out] = false;
+    } else {
+        left = first_half(piece, *share.way);
+        if (share.rest)
+            left.flip();
     }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (left[i]) {
+            piece.places[kept] = piece.places[i];
+            piece.normals[kept++] = piece.normals[i];
+        }
     piece.places.resize(kept);
     piece.normals.resize(kept);
 }

@@ -22,9 +22,14 @@ struct RecognisedSolid {
 /// place of float coordinates, and normals (where the file's count) to 1e-6 rad, so that the body is what
 /// lies behind all of them. Else nothing.
 /// From half of the vertices alone (or, where a piece has few, all but one), two such solids tell by how much
-/// they differ how far one from all can be trusted. There are two ways to halve: `even` and `odd`, `heads`
-/// and `tails`.
-enum class VertexShare { all, even, odd, heads, tails };
-std::optional<RecognisedSolid> recognise(SmoothFans const& fans, VertexShare share = VertexShare::all);
+/// they differ how far one from all can be trusted. There are several ways to halve: some by chance, and
+/// some by bands of distance from a piece's middle, taken by turns, which tell if it bends otherwise than
+/// what it is held to be.
+struct VertexShare {
+    std::optional<unsigned> way{}; // below ways_to_halve; none: all vertices
+    bool rest = false;             // the other half
+};
+inline constexpr unsigned ways_by_chance = 3, ways_to_halve = 6;
+std::optional<RecognisedSolid> recognise(SmoothFans const& fans, VertexShare share = {});
 
 } // namespace sahl

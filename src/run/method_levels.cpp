@@ -16,7 +16,9 @@ namespace {
 constexpr std::uint64_t pilots = 256;    // of each source
 constexpr double margin = 2.0;           // for what 256 rays do not see of the worst
 constexpr double margin_of_finest = 3.5; // two ways to fit the same data share some of their error
-constexpr double rounding = 1e-12;       // rad: of directions in double, with all that a path may make of it
+// if a single number errs, and all ways to halve by chance tell it too small: once in some thousand scenes
+constexpr double margin_of_halves = 2.5;
+constexpr double rounding = 1e-12; // rad: of directions in double, with all that a path may make of it
 
 constexpr std::size_t most_apart = 6; // groups that are judged one by one
 
@@ -86,11 +88,11 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
     }
     if (whole) {
         // two solids from half of the vertices each differ by about twice what one from all of them is off;
-        // by chance less: so of two ways to halve, the one that tells more
+        // by chance less: so of all ways to halve, the one that tells most
         std::optional<PathErrors> halves;
-        for (auto const& [one, other] :
-             {std::pair(recognised_even, recognised_odd), std::pair(recognised_heads, recognised_tails)}) {
-            auto const half = trees(bodies, {false, one}), rest = trees(bodies, {false, other});
+        for (unsigned way = 0; way < ways_to_halve; ++way) {
+            auto const half = trees(bodies, {false, recognised_by({way, false})}),
+                       rest = trees(bodies, {false, recognised_by({way, true})});
             if (!half || !rest) {
                 halves.reset();
                 break;
@@ -100,7 +102,7 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
                 halves = apart_by;
         }
         if (halves) {
-            double bound = margin_of_finest * halves->tail() + rounding, changed = 0.0;
+            double bound = margin_of_halves * halves->tail() + rounding, changed = 0.0;
             if (fits) {
                 PathErrors const from_fitted = compare_paths(*whole, fitted, true);
                 changed = from_fitted.changed_share();

@@ -83,8 +83,9 @@ TEST_CASE("lenses, rods, cones and conics of revolution are recognised, in any p
         INFO(off.angle << " rad, " << off.place);
         CHECK(off.angle < 1e-7); // the worst, at the rim; what floats of so many places allow
         CHECK(off.place < 1e-7);
-        CHECK(recognise(fans, VertexShare::even));
-        CHECK(recognise(fans, VertexShare::odd));
+        for (unsigned way = 0; way < ways_to_halve; ++way)
+            for (bool const rest : {false, true})
+                CHECK(recognise(fans, {way, rest}));
     }
 }
 
