@@ -175,7 +175,7 @@ TEST_CASE("an export in fewer triangles says how many, and stands for the same b
     Value const& triangles = *summary.find("models")->find("ball")->find("triangles");
     CHECK(std::get<std::int64_t>(triangles.data) < 5000);
     CHECK(lines.front().starts_with("ball: " + std::to_string(std::get<std::int64_t>(triangles.data)) +
-                                    " of "));
+                                    " triangles in "));
     // what stays is as it was: still the ball's places and normals
     CHECK(std::get<std::string>(summary.find("objects")->find("ball")->find("method")->data) == "recognised");
     auto const larger = export_model(ball(fine + "\nscale = 2"), 120, folder.path / "larger.glb", 4e-5);
