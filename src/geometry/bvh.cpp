@@ -179,8 +179,9 @@ Bvh::Start Bvh::start_at(dvec3 const& point, dvec3 const& direction) const {
     else
         for (std::size_t i = 0; i < state_->bounded.size(); ++i) {
             std::array<double, boxes_at_once> entry;
-            slabs.entries(state_->boxes[i / boxes_at_once], -margin, margin, entry.data());
-            if (entry[i % boxes_at_once] < INFINITY)
+            std::uint32_t const met =
+                slabs.entries(state_->boxes[i / boxes_at_once], -margin, margin, entry.data());
+            if (met >> i % boxes_at_once & 1U)
                 near.push_back(state_->bounded[i]);
         }
     std::sort(near.begin(), near.end()); // the order must not depend on how boxes are found

@@ -20,7 +20,8 @@ std::optional<bool> side_of(LeftSheets const& left, std::uint32_t object) {
 
 } // namespace
 
-double Bvh::State::ask(std::uint32_t index, Question const& question, Reach reach, Candidate& found) const {
+[[gnu::always_inline]] inline double Bvh::State::ask(std::uint32_t index, Question const& question,
+                                                     Reach reach, Candidate& found) const {
     Placed const& object = objects[index];
     SeenAhead const* const ahead = question.ahead;
     if (!ahead || !ahead->known || index != seen_ahead)
@@ -32,21 +33,19 @@ double Bvh::State::ask(std::uint32_t index, Question const& question, Reach reac
 }
 
 /// A lone object is met directly: nothing lies before it, and nothing touches it.
-NextHit Bvh::State::next_of_lone(Question const& question) const {
-    NextHit hit;
+void Bvh::State::next_of_lone(Question const& question, NextHit& hit) const {
     Candidate found;
     double const contradiction = ask(0, question, {question.from, INFINITY}, found);
     if (found.t == INFINITY || contradiction < found.t) {
         hit.proof = contradiction < INFINITY || !question.inside.empty() ? Proof::leak : Proof::clean;
         hit.t = contradiction;
-        return hit;
+        return;
     }
     objects.front().finish(found, question.origin, question.direction, question.from,
                            hit.at_one_place.emplace_back());
     hit.t = std::max(found.t, question.from);
     hit.blur = found.blur;
     hit.proof = found.recovered ? Proof::recovered : Proof::clean;
-    return hit;
 }
 
 namespace {
@@ -119,16 +118,16 @@ bool Bvh::State::next_plainly(Question const& question, NextHit& hit) const {
 NextHit Bvh::next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, LeftSheets const& left,
                   double from, SeenAhead const* ahead) const {
     State::Question const question{origin, direction, inside, left, from, ahead};
+    NextHit hit; // the one that is returned: it is large
     if (state_->lone && left.empty())
-        return state_->next_of_lone(question);
-    NextHit hit;
-    if (!state_->apart || !state_->next_plainly(question, hit))
-        hit = state_->next_among(question);
+        state_->next_of_lone(question, hit);
+    else if (!state_->apart || !state_->next_plainly(question, hit))
+        state_->next_among(question, hit);
     return hit;
 }
 
 /// Among all, of which several may lie at one place.
-NextHit Bvh::State::next_among(Question const& question) const {
+void Bvh::State::next_among(Question const& question, NextHit& hit) const {
     dvec3 const &origin = question.origin, &direction = question.direction;
     ShellSet const& inside = question.inside;
     double const from = question.from;
@@ -189,11 +188,10 @@ NextHit Bvh::State::next_among(Question const& question) const {
         }
     }
 
-    NextHit hit;
     if (candidates.empty()) {
         hit.proof = contradiction < INFINITY || !inside.empty() ? Proof::leak : Proof::clean;
         hit.t = contradiction;
-        return hit;
+        return;
     }
     if (candidates.size() == 1 && contradiction == INFINITY) { // as nearly always
         Candidate const& only = candidates.front();
@@ -201,7 +199,7 @@ NextHit Bvh::State::next_among(Question const& question) const {
         hit.t = std::max(only.t, from);
         hit.blur = only.blur;
         hit.proof = only.recovered ? Proof::recovered : Proof::clean;
-        return hit;
+        return;
     }
     auto const rank = [&](Candidate const& c) {
         // bodies are left before others are entered: what only seems to overlap by rounding does not
@@ -215,7 +213,7 @@ NextHit Bvh::State::next_among(Question const& question) const {
     if (contradiction < INFINITY && contradiction <= nearest.t + nearest.blur) {
         hit.proof = Proof::leak;
         hit.t = contradiction;
-        return hit;
+        return;
     }
     hit.fits = nearest_ones.dropped > nearest.t + nearest.blur;
     // in the order in which they count
@@ -240,7 +238,6 @@ NextHit Bvh::State::next_among(Question const& question) const {
     hit.t = std::max(nearest.t, from);
     hit.blur = nearest.blur;
     hit.proof = nearest.recovered ? Proof::recovered : Proof::clean;
-    return hit;
 }
 
 } // namespace sahl

@@ -51,8 +51,9 @@ struct Bvh::State {
     void choose_mesh_for_packets();
     /// What Placed::next says of one object, or what was seen ahead of that.
     double ask(std::uint32_t index, Question const& question, Reach reach, Candidate& found) const;
-    NextHit next_of_lone(Question const& question) const;
-    NextHit next_among(Question const& question) const;
+    // these write into a new hit
+    void next_of_lone(Question const& question, NextHit& hit) const;
+    void next_among(Question const& question, NextHit& hit) const;
     bool next_plainly(Question const& question, NextHit& hit) const;
 };
 
@@ -67,23 +68,27 @@ void Bvh::State::visit(Question const& question, double const& horizon, std::uin
             ask(bounded[box]);
             return horizon;
         });
-    std::size_t const count = bounded.size();
-    if (count == 1)
-        return asked ? void() : ask(bounded[0]);
-    Slabs const slabs(origin, direction);
-    std::array<double, boxes_at_once * rows> entry;
-    for (std::size_t row = 0; boxes_at_once * row < count; ++row)
-        slabs.entries(boxes[row], from, horizon, &entry[boxes_at_once * row]);
-    // what the ray is in must be left: asked first, that bounds the way to anything else
-    if (!inside.empty())
-        for (std::size_t i = 0; i < count; ++i)
-            if (inside.contains(first_shell[i]))
-                entry[i] = -INFINITY;
     static_assert(few <= 32);
-    std::uint32_t waiting = 0; // a bit each
-    for (std::size_t i = 0; i < count; ++i)
-        waiting |= std::uint32_t(entry[i] < INFINITY) << i;
-    waiting &= ~asked;
+    std::size_t const count = bounded.size();
+    std::uint32_t waiting = 1; // a bit each
+    std::array<double, boxes_at_once * rows> entry;
+    if (count > 1) {
+        Slabs const slabs(origin, direction);
+        waiting = slabs.entries(boxes[0], from, horizon, entry.data());
+        if (count > boxes_at_once)
+            waiting |= slabs.entries(boxes[1], from, horizon, &entry[boxes_at_once]) << boxes_at_once;
+        static_assert(rows == 2);
+        // what the ray is in must be left: asked first, that bounds the way to anything else
+        for (ShellId const shell : inside)
+            for (std::size_t i = 0; i < count; ++i)
+                if (first_shell[i] == shell) {
+                    entry[i] = -INFINITY;
+                    waiting |= 1u << i;
+                }
+    } else {
+        entry[0] = -INFINITY;
+    }
+    waiting &= ((1u << count) - 1) & ~asked;
     while (waiting) {
         auto nearest = static_cast<std::size_t>(std::countr_zero(waiting));
         for (std::uint32_t rest = waiting & (waiting - 1); rest; rest &= rest - 1)

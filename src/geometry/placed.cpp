@@ -2,6 +2,7 @@
 
 #include "geometry/pilot_curving.h"
 #include "geometry/recognise.h"
+#include "geometry/region.h"
 #include "math/overloaded.h"
 
 namespace sahl {
@@ -138,29 +139,6 @@ Candidate Placed::candidate(MeshCrossing const& c, LocalRay const& ray) const {
     found.recovered = c.recovered;
     found.well_within = c.well_within;
     return found;
-}
-
-double Placed::next_of(Shape const& sheet, LocalRay const& ray, Reach reach, std::optional<bool> above,
-                       Candidate& found) const {
-    if (above && *above == (ray.direction.z > 0.0)) // it goes away from the whole plane
-        return INFINITY;
-    if (auto const t = meet(sheet, ray.origin, ray.direction)) {
-        double const blur = ray.rounding / std::abs(ray.direction.z);
-        if (*t >= reach.from - blur && *t <= reach.to)
-            found.set(*t, blur, 0, true, ray.direction.z < 0.0);
-    }
-    return INFINITY;
-}
-
-double Placed::next_of(Solid const& solid, LocalRay const& ray, ShellSet const& inside, Reach reach,
-                       Candidate& found) const {
-    bool const in = inside.contains(geometry.first_shell);
-    auto const c = solid.next(ray.origin, ray.direction, in, reach.from, ray.rounding);
-    if (!c)
-        return in ? reach.from : INFINITY;
-    if (c->t <= reach.to)
-        found.set(c->t, c->slope > 0.0 ? ray.rounding / c->slope : INFINITY, c->face, false, c->enters);
-    return INFINITY;
 }
 
 double Placed::next_of_others(LocalRay const& ray, ShellSet const& inside, Reach reach,
@@ -321,7 +299,9 @@ void Placed::finish(Candidate const& candidate, dvec3 const& origin, dvec3 const
                        point.z = 0.0;
                        facet = normal = {0.0, 0.0, 1.0};
                    },
-                   [&](Solid const& solid) { facet = normal = solid.settle(candidate.face, point); },
+                   [&](Solid const& solid) {
+                       facet = normal = settle(solid.regions()[candidate.face], point);
+                   },
                    [&](Curved const& curved) { facet = normal = curved->settle(point); },
                    [&](Patches const&) {
                        point = candidate.point;
@@ -361,10 +341,12 @@ void Placed::finish(Candidate const& candidate, dvec3 const& origin, dvec3 const
     crossing.normal = normal;
     crossing.facet_normal = facet;
     if (moved) {
-        dmat3 const normals_to_world = glm::transpose(to_local.linear);
-        crossing.point = geometry.to_world.point(point);
-        crossing.facet_normal = normalize(normals_to_world * facet);
-        crossing.normal = normal == facet ? crossing.facet_normal : normalize(normals_to_world * normal);
+        crossing.point = turned ? geometry.to_world.point(point) : point + geometry.to_world.offset;
+        auto const to_world = [&](dvec3 const& local) {
+            return normalize(turned ? local * to_local.linear : local); // by the transpose
+        };
+        crossing.facet_normal = to_world(facet);
+        crossing.normal = normal == facet ? crossing.facet_normal : to_world(normal);
     }
 }
 

@@ -142,6 +142,29 @@ struct Placed {
     bool exact() const { return !mesh(); }
 };
 
+inline double Placed::next_of(Shape const& sheet, LocalRay const& ray, Reach reach, std::optional<bool> above,
+                              Candidate& found) const {
+    if (above && *above == (ray.direction.z > 0.0)) // it goes away from the whole plane
+        return INFINITY;
+    if (auto const t = meet(sheet, ray.origin, ray.direction)) {
+        double const blur = ray.rounding / std::abs(ray.direction.z);
+        if (*t >= reach.from - blur && *t <= reach.to)
+            found.set(*t, blur, 0, true, ray.direction.z < 0.0);
+    }
+    return INFINITY;
+}
+
+inline double Placed::next_of(Solid const& solid, LocalRay const& ray, ShellSet const& inside, Reach reach,
+                              Candidate& found) const {
+    bool const in = inside.contains(geometry.first_shell);
+    auto const c = solid.next(ray.origin, ray.direction, in, reach.from, ray.rounding);
+    if (!c)
+        return in ? reach.from : INFINITY;
+    if (c->t <= reach.to)
+        found.set(c->t, c->slope > 0.0 ? ray.rounding / c->slope : INFINITY, c->face, false, c->enters);
+    return INFINITY;
+}
+
 /// What meets a mesh: one of these.
 struct MeshMeeting {
     std::shared_ptr<MeshTree const> tree{};

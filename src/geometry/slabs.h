@@ -6,12 +6,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace sahl {
 
 /// Four numbers in one register.
 using Lanes [[gnu::vector_size(32)]] = double;
+using LaneBits [[gnu::vector_size(32)]] = std::int64_t; // what comparing them gives
 
 constexpr std::size_t boxes_at_once = 4;
 
@@ -42,10 +44,10 @@ struct Slabs {
         : origin(from), per_metre(1.0 / direction),
           margin(1e-12 * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z))) {}
 
-    /// Writes t where the line enters each box, or `from`, if it starts inside; ∞: it misses it.
-    void entries(BoxRow const& boxes, double from, double to, double* entry) const {
-        Lanes const zero{}, never = zero + INFINITY;
-        Lanes enters = zero + from, leaves = zero + to;
+    /// Writes t where the line enters each box, or `from`, if it starts inside; returns a bit for each that it
+    /// meets before `to`.
+    std::uint32_t entries(BoxRow const& boxes, double from, double to, double* entry) const {
+        Lanes enters{from, from, from, from}, leaves{to, to, to, to};
         for (int axis = 0; axis < 3; ++axis) {
             auto const a = static_cast<std::size_t>(axis);
             Lanes const one = (boxes.low[a] - margin - origin[axis]) * per_metre[axis];
@@ -55,8 +57,9 @@ struct Slabs {
             enters = near > enters ? near : enters;
             leaves = far < leaves ? far : leaves;
         }
-        Lanes const met = enters <= leaves ? enters : never;
-        std::memcpy(entry, &met, sizeof met);
+        std::memcpy(entry, &enters, sizeof enters);
+        LaneBits const met = (enters <= leaves) & LaneBits{1, 2, 4, 8};
+        return static_cast<std::uint32_t>(met[0] | met[1] | met[2] | met[3]);
     }
 };
 

@@ -133,7 +133,7 @@ Solid::Solid(Shape const& shape) {
             [](auto const&) { assert(false && "an open shape is not a solid"); },
         },
         shape);
-    convex_ = all_convex(regions_);
+    see_what_regions_are();
 }
 
 Solid::Solid(std::span<Region const> regions, std::vector<std::shared_ptr<Quadric const>> quadrics,
@@ -141,7 +141,12 @@ Solid::Solid(std::span<Region const> regions, std::vector<std::shared_ptr<Quadri
     : kept_(quadrics.begin(), quadrics.end()), low_(low), high_(high) {
     for (Region const& region : regions)
         regions_.push_back(region);
+    see_what_regions_are();
+}
+
+void Solid::see_what_regions_are() {
     convex_ = all_convex(regions_);
+    ball_ = regions_.size() == 1 && regions_.front().kind == Kind::ball;
 }
 
 RevolvedSheet const* Solid::keep(RevolvedSheet sheet) {
@@ -156,17 +161,8 @@ Quadric const* Solid::keep(Quadric const& quadric) {
     return kept.get();
 }
 
-namespace {
-
-std::optional<SolidCrossing> leaving(SolidCrossing const& leave, double from, double rounding) {
-    bool const ahead = (leave.t - from) * leave.slope >= -rounding && leave.t < INFINITY;
-    return ahead ? std::optional(leave) : std::nullopt;
-}
-
-} // namespace
-
-std::optional<SolidCrossing> Solid::next(dvec3 const& origin, dvec3 const& direction, bool inside,
-                                         double from, double rounding) const {
+std::optional<SolidCrossing> Solid::next_of_regions(dvec3 const& origin, dvec3 const& direction, bool inside,
+                                                    double from, double rounding) const {
     if (!convex_ && inside) {
         SolidCrossing leave{INFINITY, 1.0, 0, false};
         for (std::uint32_t face = 0; face < regions_.size(); ++face) {
@@ -188,16 +184,6 @@ std::optional<SolidCrossing> Solid::next(dvec3 const& origin, dvec3 const& direc
                 at_start = &c;
         }
         return std::nullopt;
-    }
-    if (regions_.size() == 1) { // a sphere
-        Chord const chord = chord_of(regions_.front(), origin, direction, rounding);
-        if (inside)
-            return leaving({chord.leave, chord.slope, 0, false}, from, rounding);
-        bool const ahead =
-            (chord.enter - from) * chord.slope >= -rounding && (chord.leave - from) * chord.slope > rounding;
-        return !chord.missed && chord.enter < chord.leave && ahead
-                   ? std::optional(SolidCrossing{chord.enter, chord.slope, 0, true})
-                   : std::nullopt;
     }
     SolidCrossing enter{-INFINITY, 1.0, 0, true}, leave{INFINITY, 1.0, 0, false};
     for (std::uint32_t face = 0; face < regions_.size(); ++face) {

@@ -3,6 +3,7 @@
 // construction, at edges and corners too: nothing is missed or met twice between two faces.
 #pragma once
 
+#include "geometry/chord.h"
 #include "geometry/shape.h"
 #include "math/inline_vector.h"
 #include "math/vec.h"
@@ -63,7 +64,10 @@ class Solid {
     ///               come; one that lies behind it by no more than this may be the one the ray was born on
     /// Empty: it never crosses; for a ray that is inside, that contradicts the solid's being closed.
     std::optional<SolidCrossing> next(dvec3 const& origin, dvec3 const& direction, bool inside, double from,
-                                      double rounding) const;
+                                      double rounding) const {
+        return ball_ ? next_of_ball(origin, direction, inside, from, rounding)
+                     : next_of_regions(origin, direction, inside, from, rounding);
+    }
 
     /// Is the ray inside just after `from`? A start on the surface belongs to the side that the ray heads
     /// for.
@@ -81,13 +85,40 @@ class Solid {
     using Crossings = InlineVector<SolidCrossing, 144>; // of two sheets and a tube: revolved.h
     Crossings all(dvec3 const& origin, dvec3 const& direction, double rounding) const;
 
+    std::optional<SolidCrossing> next_of_ball(dvec3 const& origin, dvec3 const& direction, bool inside,
+                                              double from, double rounding) const;
+    std::optional<SolidCrossing> next_of_regions(dvec3 const& origin, dvec3 const& direction, bool inside,
+                                                 double from, double rounding) const;
+    void see_what_regions_are();
+
     RevolvedSheet const* keep(RevolvedSheet sheet);
     Quadric const* keep(Quadric const& quadric);
 
     InlineVector<Region, 6> regions_; // by face number
     std::vector<std::shared_ptr<void const>> kept_;
     bool convex_ = true;
+    bool ball_ = false; // and nothing else
     dvec3 low_{0.0}, high_{0.0};
 };
+
+/// A way out that is met from `from` on.
+inline std::optional<SolidCrossing> leaving(SolidCrossing const& leave, double from, double rounding) {
+    bool const ahead = (leave.t - from) * leave.slope >= -rounding && leave.t < INFINITY;
+    return ahead ? std::optional(leave) : std::nullopt;
+}
+
+inline std::optional<SolidCrossing> Solid::next_of_ball(dvec3 const& origin, dvec3 const& direction,
+                                                        bool inside, double from, double rounding) const {
+    Region const& ball = regions_.front();
+    Chord const chord =
+        round_chord(origin - ball.a, direction, dot(direction, direction), ball.b, rounding);
+    if (inside)
+        return leaving({chord.leave, chord.slope, 0, false}, from, rounding);
+    bool const ahead =
+        (chord.enter - from) * chord.slope >= -rounding && (chord.leave - from) * chord.slope > rounding;
+    return !chord.missed && chord.enter < chord.leave && ahead
+               ? std::optional(SolidCrossing{chord.enter, chord.slope, 0, true})
+               : std::nullopt;
+}
 
 } // namespace sahl
