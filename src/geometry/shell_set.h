@@ -4,8 +4,6 @@
 #include "math/ids.h"
 #include "math/inline_vector.h"
 
-#include <algorithm>
-
 namespace sahl {
 
 /// At most `capacity` shells round one place: deeper nesting is reported as an invalid ray, never guessed.
@@ -13,8 +11,11 @@ class ShellSet {
   public:
     static constexpr std::size_t capacity = 15;
 
-    bool contains(ShellId shell) const {
-        return std::find(shells_.begin(), shells_.end(), shell) != shells_.end();
+    bool contains(ShellId shell) const { // mostly of none or one: std::find begins by counting in fours
+        for (ShellId const each : shells_)
+            if (each == shell)
+                return true;
+        return false;
     }
     bool empty() const { return shells_.empty(); }
     /// False where the set is full.
@@ -25,8 +26,9 @@ class ShellSet {
         return true;
     }
     void erase(ShellId shell) {
-        if (auto* const found = std::find(shells_.begin(), shells_.end(), shell); found != shells_.end())
-            shells_.erase(found);
+        for (ShellId& each : shells_)
+            if (each == shell)
+                return shells_.erase(&each);
     }
     auto begin() const { return shells_.begin(); }
     auto end() const { return shells_.end(); }

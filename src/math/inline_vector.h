@@ -23,7 +23,13 @@ class InlineVector {
         if constexpr (small)
             std::memset(static_cast<void*>(items_), 0, sizeof items_);
     }
+    InlineVector(InlineVector const& other) noexcept
+        requires small
+    = default;
     InlineVector(InlineVector const& other) noexcept { copy(other); }
+    InlineVector& operator=(InlineVector const& other) noexcept
+        requires small
+    = default;
     InlineVector& operator=(InlineVector const& other) noexcept {
         if (this != &other)
             copy(other);
@@ -70,12 +76,8 @@ class InlineVector {
 
   private:
     void copy(InlineVector const& other) {
-        if constexpr (small) {
-            std::memcpy(static_cast<void*>(this), &other, sizeof *this);
-        } else {
-            size_ = other.size_;
-            std::memcpy(static_cast<void*>(items_), other.items_, size_ * sizeof(T));
-        }
+        size_ = other.size_;
+        std::memcpy(static_cast<void*>(items_), other.items_, size_ * sizeof(T));
     }
 
     union {

@@ -49,8 +49,12 @@ double mean_of_cubes(dvec3 const& at, dvec3 longer, dvec3 shorter) {
     return sum / (1.0 * along * parts_across);
 }
 
-dvec3 finite_or_0(dvec3 const& v) {
-    return std::isfinite(v.x + v.y + v.z) ? v : dvec3(0.0);
+/// In cubes' sides; zero where a sample stands for a point, or for more than is finite.
+dvec3 in_cubes(dvec3 const& along, Affine const& to_object, double size) {
+    if (along == dvec3(0.0))
+        return along;
+    dvec3 const side = to_object.vector(along) / size;
+    return std::isfinite(side.x + side.y + side.z) ? side : dvec3(0.0);
 }
 
 } // namespace
@@ -69,8 +73,8 @@ dvec3 pigment(Affine const& to_object, Interface const& interface, Paint const& 
     Checker const& checker = *paint.checker;
     dvec3 const inward = -normalize(to_object.vector(interface.facet_normal));
     dvec3 const at = to_object.point(interface.point) / checker.size + below_surface * inward;
-    double const even = mean_of_cubes(at, finite_or_0(to_object.vector(across) / checker.size),
-                                      finite_or_0(to_object.vector(down) / checker.size));
+    double const even = mean_of_cubes(at, in_cubes(across, to_object, checker.size),
+                                      in_cubes(down, to_object, checker.size));
     dvec3 const other(checker.other[0], checker.other[1], checker.other[2]);
     return 0.5 * ((1.0 + even) * dvec3(1.0) + (1.0 - even) * other);
 }

@@ -169,7 +169,7 @@ void TreeShader::light_up(RayView& view, Branch const& branch, Interface const& 
 
 /// Phong's ambient, diffuse and specular terms, over all lamps.
 dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, Branch const& branch,
-                              bool& lit) const {
+                              bool& lit) {
     ObjectId const body = in_.scene.faces[interface.face.value].body;
     dvec3 const across = seen_.across.place, down = seen_.down.place;
     dvec3 const colour = pigment(in_.to_objects[body.value], interface, paint, across, down) *
@@ -199,7 +199,7 @@ dvec3 TreeShader::local_light(Paint const& paint, Interface const& interface, Br
 }
 
 /// What of a lamp's light comes straight to a surface.
-dvec3 TreeShader::lamp_light(LampView const& lamp, Interface const& interface) const {
+dvec3 TreeShader::lamp_light(LampView const& lamp, Interface const& interface) {
     if (brightest(lamp.light) <= 0.0)
         return dvec3(0.0);
     dvec3 passes(1.0);
@@ -218,8 +218,8 @@ dvec3 TreeShader::lamp_light(LampView const& lamp, Interface const& interface) c
         if (std::isfinite(length))
             passes *= absorbed_on_way(in_.optics, medium, channels_, length);
     };
-    bool const reached =
-        straight_on(in_.scene, StraightStart(interface), lamp.toward, lamp.distance, visit, last);
+    bool const reached = straight_on(in_.scene, StraightStart(interface), lamp.toward, lamp.distance,
+                                     toward_lamp_, visit, last);
     return reached ? passes * lamp.light : dvec3(0.0);
 }
 

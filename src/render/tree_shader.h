@@ -67,8 +67,8 @@ class TreeShader final : public TreeWatch {
                Branches& branches);
     void light_up(RayView& view, Branch const& branch, Interface const& interface, dvec3 const& arrives,
                   Branches& branches);
-    dvec3 local_light(Paint const& paint, Interface const& interface, Branch const& branch, bool& lit) const;
-    dvec3 lamp_light(LampView const& lamp, Interface const& interface) const;
+    dvec3 local_light(Paint const& paint, Interface const& interface, Branch const& branch, bool& lit);
+    dvec3 lamp_light(LampView const& lamp, Interface const& interface);
 
     PictureScene in_;
     bool single_;
@@ -81,6 +81,7 @@ class TreeShader final : public TreeWatch {
     std::vector<dvec3> colours_, next_colours_; // of this generation's branches, at their start
     std::array<dvec3, 2> leaving_{};            // what comes back and what crosses, of a power of 1
     std::optional<Footprints> footprints_;      // where something has a pattern to be averaged over
+    Interface toward_lamp_;                     // that is met on the way to a lamp
     Footprint seen_;                            // of the branch that is looked at, on the surface
 };
 

@@ -68,6 +68,8 @@ void note_arrivals(Scene const& scene, NextHit const& hit, bool boundary, Interf
 /// Of the bodies whose surfaces coincide here, the face whose surface counts: that of the body of higher
 /// priority, else of the only one that has a surface.
 Crossing const& deciding(Scene const& scene, NextHit const& hit) {
+    if (hit.at_one_place.size() == 1)
+        return hit.at_one_place.front();
     Crossing const* best = nullptr;
     auto const key = [&](Crossing const& c) {
         Face const& face = scene.faces[c.face.value];
@@ -122,13 +124,6 @@ std::optional<ObjectId> body_at(Scene const& scene, ShellSet const& inside) {
             best = shell.body;
     }
     return best;
-}
-
-LeftSheets Interface::left_by(bool crosses) const {
-    LeftSheets sheets = left;
-    for (std::size_t i = crosses ? newly : sheets.size(); i < sheets.size(); ++i)
-        sheets[i].above = !sheets[i].above;
-    return sheets;
 }
 
 Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& direction,

@@ -44,7 +44,12 @@ struct Interface {
     std::size_t newly = 0;
 
     /// Open surfaces not to be met again by a ray that goes on from here, to the other side or not.
-    LeftSheets left_by(bool crosses) const;
+    LeftSheets left_by(bool crosses) const {
+        LeftSheets sheets = left;
+        for (std::size_t i = crosses ? newly : sheets.size(); i < sheets.size(); ++i)
+            sheets[i].above = !sheets[i].above;
+        return sheets;
+    }
 };
 
 enum class Meeting : std::uint8_t { interface, nothing, leak, too_deep };

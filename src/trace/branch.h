@@ -24,8 +24,6 @@ struct Branch {
     Event fate = Event::none; // cut_power, invalid: it ends where it begins
     ShellSet inside;
     LeftSheets left;
-
-    Branch() {} // by hand: the compiler's own would clear all of it before it sets what is named here
 };
 
 /// Splits, draws or drops: gives the branches that go on their power; a branch that is dropped stays, marked

@@ -25,12 +25,6 @@ double extent_of(Bvh const& bvh) {
     return std::isfinite(extent) ? extent : 1.0;
 }
 
-void begin_in(Bvh::Start const& start, Branch& root) {
-    root.inside = start.inside;
-    root.left = start.on;
-    root.fate = start.fits ? Event::none : Event::invalid;
-}
-
 } // namespace
 
 Grove::Grove(TraceContext const& context, BatchResult& result, SegmentSink& log)
@@ -107,20 +101,21 @@ void Grove::look_ahead(bool first) {
 
 void Grove::plant(Ray const& ray) {
     add(result_.tally.emitted, ray.power);
-    Branch root;
-    root.origin = ray.origin;
-    root.direction = ray.direction;
-    root.power = ray.power;
-    root.ray = static_cast<std::uint32_t>(rays_.size());
-    if (finite(ray.origin) && finite(ray.direction) && ray.direction != dvec3(0.0)) {
-        begin_in(start_ ? *start_ : context_.scene.bvh->start_at(ray.origin, ray.direction), root);
-    } else {
-        root.fate = Event::invalid;
-    }
-    root.body = body_at(context_.scene, root.inside);
-    root.medium = medium_of(context_.scene, root.body);
+    bool const valid = finite(ray.origin) && finite(ray.direction) && ray.direction != dvec3(0.0);
+    Bvh::Start const start = !valid   ? Bvh::Start{{}, {}, false}
+                             : start_ ? *start_
+                                      : context_.scene.bvh->start_at(ray.origin, ray.direction);
+    std::optional<ObjectId> const body = body_at(context_.scene, start.inside);
+    generation_.push_back({.origin = ray.origin,
+                           .direction = ray.direction,
+                           .power = ray.power,
+                           .ray = static_cast<std::uint32_t>(rays_.size()),
+                           .body = body,
+                           .medium = medium_of(context_.scene, body),
+                           .fate = start.fits ? Event::none : Event::invalid,
+                           .inside = start.inside,
+                           .left = start.on});
     rays_.push_back(ray);
-    generation_.push_back(root);
     if (context_.options.digits_lost)
         spreads_.emplace_back(std::max(extent_, largest_coordinate(ray.origin)));
     if (context_.polarised)
@@ -148,6 +143,15 @@ void Grove::follow_rounding(Branch const& branch, Interface const& interface) {
                                          interface.normal),
              context_.optics.index(branch.medium, wavelength),
              context_.optics.index(interface.medium_after, wavelength)};
+}
+
+inline void Grove::end(Branch const& branch, Event ended, double power, double length, double optical_path,
+                Interface const* interface) {
+    ++result_.tally.ended[static_cast<std::size_t>(ended)];
+    if (!watch_)
+        keep_segment(branch, ended, power, length, optical_path, interface);
+    else if (!interface)
+        watch_->lose(number_of(branch), branch, ended);
 }
 
 void Grove::trace(Branch const& branch) {
@@ -255,27 +259,28 @@ void Grove::push_children(Branch const& branch, Interface const& interface, Bran
     for (Outgoing const& outgoing : branches.outgoing) {
         if (watch_ && cut_unseen(branch, interface, outgoing))
             continue;
-        Branch& child = next_generation_.emplace_back();
-        child.origin = interface.point;
-        child.direction = outgoing.direction;
-        child.power = outgoing.power;
-        child.optical_path = optical_path;
-        child.place = child_place(branch.place, outgoing.crosses ? 0 : 1);
-        child.ray = branch.ray;
-        child.parent = static_cast<std::int32_t>(next_index_[branch.ray]);
-        child.body = outgoing.crosses ? interface.body_after : interface.body_before;
-        child.medium = outgoing.crosses ? interface.medium_after : branch.medium;
-        child.depth = static_cast<std::uint16_t>(branch.depth + 1);
-        child.born = outgoing.event;
-        child.fate = outgoing.fate;
-        child.inside = outgoing.crosses ? interface.inside_after : interface.inside_before;
-        child.left = interface.left_by(outgoing.crosses);
+        bool const crosses = outgoing.crosses;
+        next_generation_.push_back(
+            {.origin = interface.point,
+             .direction = outgoing.direction,
+             .power = outgoing.power,
+             .optical_path = optical_path,
+             .place = child_place(branch.place, crosses ? 0 : 1),
+             .ray = branch.ray,
+             .parent = static_cast<std::int32_t>(next_index_[branch.ray]),
+             .body = crosses ? interface.body_after : interface.body_before,
+             .medium = crosses ? interface.medium_after : branch.medium,
+             .depth = static_cast<std::uint16_t>(branch.depth + 1),
+             .born = outgoing.event,
+             .fate = outgoing.fate,
+             .inside = crosses ? interface.inside_after : interface.inside_before,
+             .left = interface.left_by(crosses)});
         if (watch_)
-            watch_->push(number_of(branch), child, outgoing);
+            watch_->push(number_of(branch), next_generation_.back(), outgoing);
         if (context_.options.digits_lost)
             next_spreads_.emplace_back(spread_).turn(branch.direction, bend_, outgoing.event);
         if (context_.polarised)
-            next_lights_.push_back(outgoing.crosses ? sorted_.through : sorted_.back);
+            next_lights_.push_back(crosses ? sorted_.through : sorted_.back);
     }
 }
 
@@ -305,14 +310,8 @@ void Grove::lose(Branch const& branch, Event event, double power, double t) {
     end(branch, event, power, t, branch.optical_path, nullptr);
 }
 
-void Grove::end(Branch const& branch, Event ended, double power, double length, double optical_path,
-                Interface const* interface) {
-    ++result_.tally.ended[static_cast<std::size_t>(ended)];
-    if (watch_) {
-        if (!interface)
-            watch_->lose(number_of(branch), branch, ended);
-        return;
-    }
+void Grove::keep_segment(Branch const& branch, Event ended, double power, double length, double optical_path,
+                         Interface const* interface) {
     std::uint32_t const index = next_index_[branch.ray]++;
     std::uint64_t const number = first_ + branch.ray;
     double const digits_lost = context_.options.digits_lost ? spread_.digits_lost() : 0.0;

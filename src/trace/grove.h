@@ -52,6 +52,8 @@ class Grove {
     void pass_on(Branch const& branch, Interface const& interface, double power, double optical_path);
     void end(Branch const& branch, Event ended, double power, double length, double optical_path,
              Interface const* interface);
+    void keep_segment(Branch const& branch, Event ended, double power, double length, double optical_path,
+                      Interface const* interface);
     void lose(Branch const& branch, Event event, double power, double t);
     void order_by_ray();
     void apply_filters(std::size_t hits_before);

@@ -22,11 +22,11 @@ struct StraightStart {
 ///   visit(interface, medium)   `medium` is the one before it, its t the length of the piece; false: that is
 ///                              enough
 ///   last(medium, length)       the piece that ends at the lamp
+///   interface                  is written over: it is large, and made once by who asks often
 /// Returns whether the lamp was reached.
 template <class Visit, class Last>
-bool straight_on(Scene const& scene, StraightStart at, dvec3 const& direction, double distance, Visit visit,
-                 Last last) {
-    Interface interface;
+bool straight_on(Scene const& scene, StraightStart at, dvec3 const& direction, double distance,
+                 Interface& interface, Visit visit, Last last) {
     for (;;) {
         Meeting const meeting =
             next_interface(scene, at.origin, direction, at.inside, at.body, at.left, interface);
