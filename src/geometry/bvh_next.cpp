@@ -8,25 +8,13 @@
 
 namespace sahl {
 
-namespace {
-
-/// Of an open geometry that a ray starts on: on which side.
-std::optional<bool> side_of(LeftSheets const& left, std::uint32_t object) {
-    for (LeftSheet const& sheet : left)
-        if (sheet.object == object)
-            return bool(sheet.above);
-    return std::nullopt;
-}
-
-} // namespace
-
 [[gnu::always_inline]] inline double Bvh::State::ask(std::uint32_t index, Question const& question,
                                                      Reach reach, Candidate& found) const {
     Placed const& object = objects[index];
     SeenAhead const* const ahead = question.ahead;
     if (!ahead || !ahead->known || index != seen_ahead)
-        return object.next(question.origin, question.direction, question.inside, reach,
-                           side_of(question.left, index), found);
+        return object.next(question.origin, question.direction, question.inside, reach, question.left, index,
+                           found);
     if (ahead->crossing && ahead->crossing->t <= reach.to)
         found = object.candidate(*ahead->crossing, object.local(question.origin, question.direction));
     return INFINITY;
@@ -143,7 +131,8 @@ void Bvh::State::next_among(Question const& question, NextHit& hit) const {
         // another shell of the mesh lies on this one
         Placed const& object = objects[found.object];
         Candidate second;
-        object.next(origin, direction, object.after(found, inside), {found.t, horizon}, {}, second);
+        object.next(origin, direction, object.after(found, inside), {found.t, horizon}, {}, found.object,
+                    second);
         second.object = found.object;
         if (second.t <= found.t + found.blur + second.blur && touch(second, second))
             nearest_ones.take(second);

@@ -64,7 +64,8 @@ void Bvh::State::visit(Question const& question, double const& horizon, std::uin
     for (std::uint32_t const index : unbounded)
         ask(index);
     if (tree)
-        return tree->visit(origin, direction, {from, horizon}, [&](std::uint32_t box, double) {
+        // its own copy of `ask`: the compiler need not think that what visits boxes changes the other one
+        return tree->visit(origin, direction, {from, horizon}, [this, ask, &horizon](std::uint32_t box, double) {
             ask(bounded[box]);
             return horizon;
         });
@@ -79,12 +80,11 @@ void Bvh::State::visit(Question const& question, double const& horizon, std::uin
             waiting |= slabs.entries(boxes[1], from, horizon, &entry[boxes_at_once]) << boxes_at_once;
         static_assert(rows == 2);
         // what the ray is in must be left: asked first, that bounds the way to anything else
-        for (ShellId const shell : inside)
-            for (std::size_t i = 0; i < count; ++i)
-                if (first_shell[i] == shell) {
-                    entry[i] = -INFINITY;
-                    waiting |= 1u << i;
-                }
+        for (std::size_t i = 0; !inside.empty() && i < count; ++i)
+            if (inside.contains(first_shell[i])) {
+                entry[i] = -INFINITY;
+                waiting |= 1u << i;
+            }
     } else {
         entry[0] = -INFINITY;
     }

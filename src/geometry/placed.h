@@ -57,6 +57,14 @@ struct Candidate {
 /// world and back, and solving for t, round some ten times each; the rest is margin.
 constexpr double start_ulps = 64.0 * std::numeric_limits<double>::epsilon();
 
+/// Of an open geometry that a ray starts on: on which side.
+inline std::optional<bool> side_of(LeftSheets const& left, std::uint32_t object) {
+    for (LeftSheet const& sheet : left)
+        if (sheet.object == object)
+            return bool(sheet.above);
+    return std::nullopt;
+}
+
 struct Placed {
     PlacedGeometry geometry;
     std::variant<Shape, Solid, std::shared_ptr<MeshTree const>, std::shared_ptr<MeshSheet const>,
@@ -87,16 +95,17 @@ struct Placed {
 
     /// Writes the next crossing at t ≥ reach.from, if there is one up to reach.to; returns t from which on
     /// what is met contradicts `inside` (∞: nothing does).
-    ///   above   of an open geometry that the ray starts on: on which side
-    double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside, Reach reach,
-                std::optional<bool> above, Candidate& found) const {
+    ///   left    among them this one, if it is open and the ray starts on it; `index` is its own there
+    [[gnu::always_inline]] double next(dvec3 const& origin, dvec3 const& direction, ShellSet const& inside,
+                                       Reach reach, LeftSheets const& left, std::uint32_t index,
+                                       Candidate& found) const {
         LocalRay const ray = local(origin, direction);
         // what most scenes are made of first, each a short function of its own
         if (Solid const* const solid = std::get_if<Solid>(&met_by))
             return next_of(*solid, ray, inside, reach, found);
         if (Shape const* const sheet = std::get_if<Shape>(&met_by))
-            return next_of(*sheet, ray, reach, above, found);
-        return next_of_others(ray, inside, reach, above, found);
+            return next_of(*sheet, ray, reach, side_of(left, index), found);
+        return next_of_others(ray, inside, reach, side_of(left, index), found);
     }
 
     /// Is it met at a slope so small that float does not tell its sign?

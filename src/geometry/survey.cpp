@@ -48,7 +48,7 @@ Way way_through(std::span<Placed const> objects, std::uint32_t index, dvec3 cons
     double from = 0.0;
     while (!way.full()) {
         Crossed crossed;
-        object.next(origin, direction, inside, {from, INFINITY}, {}, crossed.at);
+        object.next(origin, direction, inside, {from, INFINITY}, {}, 0, crossed.at);
         if (crossed.at.t == INFINITY)
             break;
         crossed.at.object = index;

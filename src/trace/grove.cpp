@@ -39,6 +39,8 @@ void Grove::begin(std::uint64_t first, std::size_t count) {
     rays_.clear();
     next_index_.assign(count, 0);
     generation_.clear();
+    generation_.reserve(count);
+    next_generation_.reserve(2 * count);
     spreads_.clear();
     lights_.clear();
 }
@@ -100,11 +102,16 @@ void Grove::look_ahead(bool first) {
 }
 
 void Grove::plant(Ray const& ray) {
+    if (!finite(ray.origin) || !finite(ray.direction) || ray.direction == dvec3(0.0))
+        plant(ray, {{}, {}, false});
+    else if (start_)
+        plant(ray, *start_);
+    else
+        plant(ray, context_.scene.bvh->start_at(ray.origin, ray.direction));
+}
+
+void Grove::plant(Ray const& ray, Bvh::Start const& start) {
     add(result_.tally.emitted, ray.power);
-    bool const valid = finite(ray.origin) && finite(ray.direction) && ray.direction != dvec3(0.0);
-    Bvh::Start const start = !valid   ? Bvh::Start{{}, {}, false}
-                             : start_ ? *start_
-                                      : context_.scene.bvh->start_at(ray.origin, ray.direction);
     std::optional<ObjectId> const body = body_at(context_.scene, start.inside);
     generation_.push_back({.origin = ray.origin,
                            .direction = ray.direction,
@@ -122,7 +129,7 @@ void Grove::plant(Ray const& ray) {
         lights_.push_back(emitted_light(context_.scene, ray));
 }
 
-Event Grove::cut_or_none(Branch const& branch) const {
+inline Event Grove::cut_or_none(Branch const& branch) const {
     if (branch.fate != Event::none)
         return branch.fate;
     if (!finite(branch.origin + branch.direction + branch.power))
@@ -154,7 +161,7 @@ inline void Grove::end(Branch const& branch, Event ended, double power, double l
         watch_->lose(number_of(branch), branch, ended);
 }
 
-void Grove::trace(Branch const& branch) {
+inline void Grove::trace(Branch const& branch) {
     bool const follows = context_.options.digits_lost;
     if (follows)
         spread_ = spreads_[number_of(branch)];
@@ -240,7 +247,7 @@ double Grove::attenuate(Branch const& branch, Interface const& interface) {
 
 /// Of what would end where it begins, for want of power or room, a watch is told at once: it takes no place
 /// in the next generation.
-bool Grove::cut_unseen(Branch const& branch, Interface const& interface, Outgoing const& outgoing) {
+inline bool Grove::cut_unseen(Branch const& branch, Interface const& interface, Outgoing const& outgoing) {
     if (outgoing.fate != Event::none || !finite(interface.point + outgoing.direction + outgoing.power))
         return false;
     Event const fate = branch.depth >= context_.options.max_depth ? Event::cut_depth
@@ -254,7 +261,7 @@ bool Grove::cut_unseen(Branch const& branch, Interface const& interface, Outgoin
     return true;
 }
 
-void Grove::push_children(Branch const& branch, Interface const& interface, Branches const& branches,
+inline void Grove::push_children(Branch const& branch, Interface const& interface, Branches const& branches,
                           double optical_path) {
     for (Outgoing const& outgoing : branches.outgoing) {
         if (watch_ && cut_unseen(branch, interface, outgoing))

@@ -29,6 +29,7 @@ class Grove {
   private:
     void begin(std::uint64_t first, std::size_t count);
     void plant(Ray const& ray);
+    void plant(Ray const& ray, Bvh::Start const& start);
     void grow_generations();
     void look_ahead(bool first);
     std::size_t number_of(Branch const& branch) const {
