@@ -65,10 +65,11 @@ void Bvh::State::visit(Question const& question, double const& horizon, std::uin
         ask(index);
     if (tree)
         // its own copy of `ask`: the compiler need not think that what visits boxes changes the other one
-        return tree->visit(origin, direction, {from, horizon}, [this, ask, &horizon](std::uint32_t box, double) {
-            ask(bounded[box]);
-            return horizon;
-        });
+        return tree->visit(origin, direction, {from, horizon},
+                           [this, ask, &horizon](std::uint32_t box, double) {
+                               ask(bounded[box]);
+                               return horizon;
+                           });
     static_assert(few <= 32);
     std::size_t const count = bounded.size();
     std::uint32_t waiting = 1; // a bit each

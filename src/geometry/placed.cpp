@@ -294,39 +294,38 @@ void Placed::finish(Candidate const& candidate, dvec3 const& origin, dvec3 const
     double const t = std::max(candidate.t, from);
     dvec3 point = ray.origin + t * ray.direction;
     dvec3 facet(0.0), normal(0.0);
-    std::visit(Overloaded{
-                   [&](Shape const&) {
-                       point.z = 0.0;
-                       facet = normal = {0.0, 0.0, 1.0};
-                   },
-                   [&](Solid const& solid) {
-                       facet = normal = settle(solid.regions()[candidate.face], point);
-                   },
-                   [&](Curved const& curved) { facet = normal = curved->settle(point); },
-                   [&](Patches const&) {
-                       point = candidate.point;
-                       facet = candidate.geometric;
-                       normal = candidate.normal;
-                   },
-                   [&](OpenPatches const&) {
-                       point = candidate.point;
-                       facet = candidate.geometric;
-                       normal = candidate.normal;
-                   },
-                   [&](auto const& tree_or_sheet) {
-                       auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
-                       facet = normal = candidate.normal;
-                       if constexpr (std::is_same_v<decltype(tree_or_sheet), Tree const&>)
-                           point = candidate.well_within ? tree_or_sheet->onto(triangle, facet, point)
-                                                         : tree_or_sheet->onto(triangle, point);
-                       else
-                           point = tree_or_sheet->onto(triangle, point);
-                       if (geometry.interpolate)
-                           normal = smooth_normal(tree_or_sheet->mesh().soup,
-                                                  tree_or_sheet->vertices(triangle), candidate.uv, facet);
-                   },
-               },
-               met_by);
+    std::visit(
+        Overloaded{
+            [&](Shape const&) {
+                point.z = 0.0;
+                facet = normal = {0.0, 0.0, 1.0};
+            },
+            [&](Solid const& solid) { facet = normal = settle(solid.regions()[candidate.face], point); },
+            [&](Curved const& curved) { facet = normal = curved->settle(point); },
+            [&](Patches const&) {
+                point = candidate.point;
+                facet = candidate.geometric;
+                normal = candidate.normal;
+            },
+            [&](OpenPatches const&) {
+                point = candidate.point;
+                facet = candidate.geometric;
+                normal = candidate.normal;
+            },
+            [&](auto const& tree_or_sheet) {
+                auto const triangle = static_cast<std::uint32_t>(candidate.primitive);
+                facet = normal = candidate.normal;
+                if constexpr (std::is_same_v<decltype(tree_or_sheet), Tree const&>)
+                    point = candidate.well_within ? tree_or_sheet->onto(triangle, facet, point)
+                                                  : tree_or_sheet->onto(triangle, point);
+                else
+                    point = tree_or_sheet->onto(triangle, point);
+                if (geometry.interpolate)
+                    normal = smooth_normal(tree_or_sheet->mesh().soup, tree_or_sheet->vertices(triangle),
+                                           candidate.uv, facet);
+            },
+        },
+        met_by);
     crossing.t = t;
     crossing.face = {geometry.first_face.value + local_face(candidate.face)};
     crossing.shell = geometry.first_shell;

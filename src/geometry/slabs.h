@@ -44,8 +44,8 @@ struct Slabs {
         : origin(from), per_metre(1.0 / direction),
           margin(1e-12 * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z))) {}
 
-    /// Writes t where the line enters each box, or `from`, if it starts inside; returns a bit for each that it
-    /// meets before `to`.
+    /// Writes t where the line enters each box, or `from`, if it starts inside; returns a bit for each that
+    /// it meets before `to`.
     std::uint32_t entries(BoxRow const& boxes, double from, double to, double* entry) const {
         Lanes enters{from, from, from, from}, leaves{to, to, to, to};
         for (int axis = 0; axis < 3; ++axis) {

@@ -110,8 +110,12 @@ inline std::optional<SolidCrossing> leaving(SolidCrossing const& leave, double f
 inline std::optional<SolidCrossing> Solid::next_of_ball(dvec3 const& origin, dvec3 const& direction,
                                                         bool inside, double from, double rounding) const {
     Region const& ball = regions_.front();
-    Chord const chord =
-        round_chord(origin - ball.a, direction, dot(direction, direction), ball.b, rounding);
+    dvec3 const to_origin = origin - ball.a;
+    // from outside, or the surface, it goes away: no root need be drawn to see that
+    if (!inside && from >= 0.0 && dot(to_origin, direction) > 0.0 &&
+        dot(to_origin, to_origin) - ball.b * ball.b >= -2.0 * rounding * ball.b)
+        return std::nullopt;
+    Chord const chord = round_chord(to_origin, direction, dot(direction, direction), ball.b, rounding);
     if (inside)
         return leaving({chord.leave, chord.slope, 0, false}, from, rounding);
     bool const ahead =

@@ -73,8 +73,8 @@ dvec3 pigment(Affine const& to_object, Interface const& interface, Paint const& 
     Checker const& checker = *paint.checker;
     dvec3 const inward = -normalize(to_object.vector(interface.facet_normal));
     dvec3 const at = to_object.point(interface.point) / checker.size + below_surface * inward;
-    double const even = mean_of_cubes(at, in_cubes(across, to_object, checker.size),
-                                      in_cubes(down, to_object, checker.size));
+    double const even =
+        mean_of_cubes(at, in_cubes(across, to_object, checker.size), in_cubes(down, to_object, checker.size));
     dvec3 const other(checker.other[0], checker.other[1], checker.other[2]);
     return 0.5 * ((1.0 + even) * dvec3(1.0) + (1.0 - even) * other);
 }

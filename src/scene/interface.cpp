@@ -81,6 +81,17 @@ Crossing const& deciding(Scene const& scene, NextHit const& hit) {
     return best ? *best : hit.at_one_place.front();
 }
 
+/// Leaves and enters what is crossed. False where the ray is then in more shells than can be held.
+bool cross_faces(NextHit const& hit, ShellSet& inside) {
+    for (Crossing const& c : hit.at_one_place)
+        if (!c.open && !c.enters)
+            inside.erase(c.shell);
+    for (Crossing const& c : hit.at_one_place)
+        if (!c.open && c.enters && !inside.insert(c.shell))
+            return false;
+    return true;
+}
+
 /// Of a line that runs in a face or along an edge which bodies have in common, each may take it for one that
 /// runs beside it, and what they say together may contradict what the ray is in. Then lines are asked that
 /// rounding does not tell from it, ever farther off: the first whose answer fits counts. Where none does, it
@@ -164,13 +175,10 @@ Meeting next_interface(Scene const& scene, dvec3 const& origin, dvec3 const& dir
             found.medium_after = medium_of(scene, body);
             return Meeting::interface;
         }
-        for (Crossing const& c : hit.at_one_place)
-            if (!c.open && !c.enters)
-                found.inside_after.erase(c.shell);
-        for (Crossing const& c : hit.at_one_place)
-            if (!c.open && c.enters && !found.inside_after.insert(c.shell))
-                return Meeting::too_deep;
-        found.body_after = alone && first.open ? body : body_at(scene, found.inside_after);
+        bool const crossed = !(alone && first.open); // some body's face
+        if (crossed && !cross_faces(hit, found.inside_after))
+            return Meeting::too_deep;
+        found.body_after = crossed ? body_at(scene, found.inside_after) : body;
         found.medium_after = medium_of(scene, found.body_after);
         found.detector.reset();
         bool const same_body = body == found.body_after; // it happens under a body of higher priority

@@ -153,7 +153,7 @@ void Grove::follow_rounding(Branch const& branch, Interface const& interface) {
 }
 
 inline void Grove::end(Branch const& branch, Event ended, double power, double length, double optical_path,
-                Interface const* interface) {
+                       Interface const* interface) {
     ++result_.tally.ended[static_cast<std::size_t>(ended)];
     if (!watch_)
         keep_segment(branch, ended, power, length, optical_path, interface);
@@ -162,9 +162,10 @@ inline void Grove::end(Branch const& branch, Event ended, double power, double l
 }
 
 inline void Grove::trace(Branch const& branch) {
+    std::size_t const number = number_of(branch);
     bool const follows = context_.options.digits_lost;
     if (follows)
-        spread_ = spreads_[number_of(branch)];
+        spread_ = spreads_[number];
     if (Event const fate = cut_or_none(branch); fate != Event::none) {
         if (fate == Event::invalid)
             return lose(branch, fate, branch.power, 0.0);
@@ -173,7 +174,7 @@ inline void Grove::trace(Branch const& branch) {
     }
     Interface& interface = interface_;
     Meeting const meeting = next_interface(context_.scene, branch.origin, branch.direction, branch.inside,
-                                           branch.body, branch.left, interface, ahead_.at(number_of(branch)));
+                                           branch.body, branch.left, interface, ahead_.at(number));
     for (Arrival const& arrival : interface.arrivals)
         detect_arrival(branch, arrival);
     if (meeting == Meeting::leak || meeting == Meeting::too_deep)
@@ -213,9 +214,9 @@ inline void Grove::trace(Branch const& branch) {
                                  wavelength, draw);
     if (context_.polarised)
         sorted_ = sort_light(context_.scene, context_.optics, interface, branch.direction, branch.medium,
-                             wavelength, lights_[number_of(branch)], branches);
+                             wavelength, lights_[number], branches);
     if (watch_) {
-        power = watch_->meet(number_of(branch), branch, interface, branches);
+        power = watch_->meet(number, branch, interface, branches);
     } else if (branches.absorbed > 0.0) {
         result_.tally.absorbed.add(power * branches.absorbed, context_.unit);
         result_.tally.absorbed_at_face[interface.face.value].add(power * branches.absorbed, context_.unit);
@@ -262,26 +263,25 @@ inline bool Grove::cut_unseen(Branch const& branch, Interface const& interface, 
 }
 
 inline void Grove::push_children(Branch const& branch, Interface const& interface, Branches const& branches,
-                          double optical_path) {
+                                 double optical_path) {
     for (Outgoing const& outgoing : branches.outgoing) {
         if (watch_ && cut_unseen(branch, interface, outgoing))
             continue;
         bool const crosses = outgoing.crosses;
-        next_generation_.push_back(
-            {.origin = interface.point,
-             .direction = outgoing.direction,
-             .power = outgoing.power,
-             .optical_path = optical_path,
-             .place = child_place(branch.place, crosses ? 0 : 1),
-             .ray = branch.ray,
-             .parent = static_cast<std::int32_t>(next_index_[branch.ray]),
-             .body = crosses ? interface.body_after : interface.body_before,
-             .medium = crosses ? interface.medium_after : branch.medium,
-             .depth = static_cast<std::uint16_t>(branch.depth + 1),
-             .born = outgoing.event,
-             .fate = outgoing.fate,
-             .inside = crosses ? interface.inside_after : interface.inside_before,
-             .left = interface.left_by(crosses)});
+        next_generation_.push_back({.origin = interface.point,
+                                    .direction = outgoing.direction,
+                                    .power = outgoing.power,
+                                    .optical_path = optical_path,
+                                    .place = child_place(branch.place, crosses ? 0 : 1),
+                                    .ray = branch.ray,
+                                    .parent = static_cast<std::int32_t>(next_index_[branch.ray]),
+                                    .body = crosses ? interface.body_after : interface.body_before,
+                                    .medium = crosses ? interface.medium_after : branch.medium,
+                                    .depth = static_cast<std::uint16_t>(branch.depth + 1),
+                                    .born = outgoing.event,
+                                    .fate = outgoing.fate,
+                                    .inside = crosses ? interface.inside_after : interface.inside_before,
+                                    .left = interface.left_by(crosses)});
         if (watch_)
             watch_->push(number_of(branch), next_generation_.back(), outgoing);
         if (context_.options.digits_lost)
