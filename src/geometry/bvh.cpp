@@ -115,7 +115,7 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
     }
     state_->apart = state_->touch.none() && !state_->cluster;
     state_->lone = state_->objects.size() == 1 && !state_->touch.objects(0, 0);
-    state_->choose_mesh_for_packets();
+    state_->choose_mesh_seen_ahead();
 }
 
 Bvh::Bvh(Bvh&&) noexcept = default;
@@ -123,12 +123,11 @@ Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 Bvh::~Bvh() = default;
 
 /// The largest, unless it shares a tree with others.
-void Bvh::State::choose_mesh_for_packets() {
+void Bvh::State::choose_mesh_seen_ahead() {
     std::size_t most = 0;
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
         MeshTree const* const mesh = tree_of(objects[i]);
-        if (!mesh || !mesh->looks_ahead() || (cluster && cluster->holds(i)) ||
-            mesh->mesh().soup.triangles.size() <= most)
+        if (!mesh || (cluster && cluster->holds(i)) || mesh->mesh().soup.triangles.size() <= most)
             continue;
         most = mesh->mesh().soup.triangles.size();
         seen_ahead = i;
@@ -136,7 +135,7 @@ void Bvh::State::choose_mesh_for_packets() {
 }
 
 double Bvh::size_seen_ahead() const {
-    if (!state_->seen_ahead)
+    if (!state_->seen_ahead || !tree_of(state_->objects[*state_->seen_ahead])->looks_ahead())
         return 0.0;
     Bounds const& box = state_->objects[*state_->seen_ahead].box;
     return length(box.high - box.low);
@@ -151,6 +150,46 @@ void Bvh::look_ahead(std::span<Line const> lines, std::span<SeenAhead> seen) con
         asked.add(ray.origin, ray.direction, ray.rounding, *line.inside);
     }
     tree_of(object)->next_together(asked, seen);
+}
+
+bool Bvh::looks_ahead_in_turn() const {
+    return state_->seen_ahead.has_value();
+}
+
+bool Bvh::State::asks_ahead(Line const& line) const {
+    Placed const& object = objects[*seen_ahead];
+    if (!line.inside->empty())
+        return InsideShells{*line.inside, object.geometry.first_shell}.any_of(
+            tree_of(object)->mesh().shells.size());
+    if (bounded.size() == 1)
+        return true;
+    if (tree)
+        return false;
+    Slabs const slabs(*line.origin, *line.direction);
+    std::array<double, boxes_at_once * rows> entry;
+    double first = INFINITY, of_mesh = INFINITY;
+    for (std::size_t row = 0; boxes_at_once * row < bounded.size(); ++row)
+        slabs.entries(boxes[row], 0.0, INFINITY, &entry[boxes_at_once * row]);
+    for (std::size_t i = 0; i < bounded.size(); ++i) {
+        double& nearest = bounded[i] == *seen_ahead ? of_mesh : first;
+        nearest = std::min(nearest, entry[i]);
+    }
+    return of_mesh < INFINITY && of_mesh <= first;
+}
+
+void Bvh::look_ahead_in_turn(std::span<Line const> lines, std::span<SeenAhead* const> seen) const {
+    Placed const& object = state_->objects[*state_->seen_ahead];
+    MeshTree::Lines asked;
+    asked.first = object.geometry.first_shell;
+    std::array<SeenAhead*, most_together> of;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!state_->asks_ahead(lines[i]))
+            continue;
+        of[asked.lines.count] = seen[i];
+        Placed::LocalRay const ray = object.local(*lines[i].origin, *lines[i].direction);
+        asked.add(ray.origin, ray.direction, ray.rounding, *lines[i].inside);
+    }
+    tree_of(object)->next_in_turn(asked, of);
 }
 
 LeftSheets Bvh::still_there(LeftSheets const& left, dvec3 const& point) const {

@@ -106,6 +106,11 @@ class Bvh {
     void look_ahead(std::span<Line const> lines, std::span<SeenAhead> seen) const;
     /// How large that mesh is (m, world); 0: there is none.
     double size_seen_ahead() const;
+    /// The same of rays that go anywhere, one after another, where they are certain to ask about that mesh
+    /// first of all; the others' places are left as they are.
+    void look_ahead_in_turn(std::span<Line const> lines, std::span<SeenAhead* const> seen) const;
+    /// Is there a mesh that rays may be asked about so?
+    bool looks_ahead_in_turn() const;
 
     /// Of the sheets that a ray has left, those that still lie where it is now.
     LeftSheets still_there(LeftSheets const& left, dvec3 const& point) const;

@@ -41,14 +41,16 @@ struct Bvh::State {
     std::vector<MadeFlush> made_flush;
     bool lone = false;                       // one object, no shell of which touches another
     bool apart = false;                      // nothing touches anything, and no meshes share a tree
-    std::optional<std::uint32_t> seen_ahead; // the mesh that packets are asked about
+    std::optional<std::uint32_t> seen_ahead; // the mesh that rays are asked about ahead
 
     /// Calls ask(object) for all that the line may meet from `from` on, roughly nearest first, but for what
     /// lies beyond the horizon, which may come nearer with each.
     ///   asked   a bit for each of `bounded` that is left out, where there are few
     template <class Ask>
     void visit(Question const& question, double const& horizon, std::uint32_t asked, Ask&& ask) const;
-    void choose_mesh_for_packets();
+    void choose_mesh_seen_ahead();
+    /// Is the mesh that is seen ahead the first thing that visit() would ask this ray about?
+    bool asks_ahead(Line const& line) const;
     /// What Placed::next says of one object, or what was seen ahead of that.
     double ask(std::uint32_t index, Question const& question, Reach reach, Candidate& found) const;
     // these write into a new hit

@@ -147,7 +147,7 @@ bool MeshCluster::next(std::span<Placed const> objects, dvec3 const& origin, dve
     });
     for (std::size_t m = 0; m < members_.size(); ++m) {
         MeshAnswer answer;
-        if (asked[m].used && !asked[m].query.settle(looked_to, answer)) {
+        if (asked[m].used && !asked[m].query.settle(looked_to, answer.crossing)) {
             found.clear();
             alone.clear();
             return false;

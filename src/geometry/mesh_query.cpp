@@ -60,7 +60,7 @@ inline Passes meet_plainly(MeshTree const& tree, dvec3 const& origin, dvec3 cons
 
 } // namespace
 
-bool MeshQuery::settle(double looked_to, MeshAnswer& answer) const {
+bool MeshQuery::settle(double looked_to, std::optional<MeshCrossing>& crossing) const {
     MeshCrossing best;
     best.t = INFINITY;
     bool doubtful = too_many_; // at last: something but plain crossings lies at the start
@@ -110,8 +110,10 @@ bool MeshQuery::settle(double looked_to, MeshAnswer& answer) const {
             doubtful = doubtful || (inside_[shell] && tree_.mesh().shell_of(best.triangle) != shell);
     if (doubtful)
         return false;
-    if (!nothing)
-        answer.crossing = best;
+    if (nothing)
+        crossing.reset();
+    else
+        crossing = best;
     return true;
 }
 

@@ -45,9 +45,9 @@ class MeshQuery {
         return sense != 0 && t > from_ + blur_ ? t + beyond_ : no;
     }
 
-    /// Writes the answer, where no doubt is left; otherwise returns false.
+    /// Writes the crossing that there is, or none, where no doubt is left; otherwise returns false.
     ///   looked_to   t up to which all was proposed
-    bool settle(double looked_to, MeshAnswer& answer) const;
+    bool settle(double looked_to, std::optional<MeshCrossing>& crossing) const;
 
   private:
     bool is_in(std::uint32_t triangle) const {

@@ -161,11 +161,20 @@ MeshAnswer MeshTree::next(dvec3 const& origin, dvec3 const& direction, InsideShe
         return to;
     });
     MeshAnswer answer;
-    bool const sure = query.settle(looked_to, answer) && (answer.crossing || looked_to == INFINITY);
+    bool const sure = query.settle(looked_to, answer.crossing) && (answer.crossing || looked_to == INFINITY);
     return sure ? answer : next_exact(origin, direction, inside, reach, rounding);
 }
 
 namespace {
+
+/// A query's place, until it is made by hand.
+struct QueryRoom {
+    union {
+        MeshQuery query;
+    };
+    QueryRoom() {}
+};
+static_assert(std::is_trivially_destructible_v<MeshQuery>);
 
 /// What a packet's lines ask, made only for those that meet something: many meet nothing, and a query is
 /// large.
@@ -179,17 +188,14 @@ class Queries {
     }
 
   private:
-    struct Room {
-        union {
-            MeshQuery query;
-        };
-        Room() {}
-    };
-    static_assert(std::is_trivially_destructible_v<MeshQuery>);
     static_assert(TriangleTree::most_together <= 32);
-    std::array<Room, TriangleTree::most_together> rooms_;
+    std::array<QueryRoom, TriangleTree::most_together> rooms_;
     std::uint32_t made_ = 0; // a bit for each
 };
+
+void settle(MeshQuery const& query, double looked_to, SeenAhead& seen) {
+    seen.known = query.settle(looked_to, seen.crossing) && (seen.crossing || looked_to == INFINITY);
+}
 
 } // namespace
 
@@ -216,10 +222,49 @@ void MeshTree::next_together(Lines const& asked, std::span<SeenAhead> seen) cons
             seen[i].crossing.reset();
             continue;
         }
-        MeshAnswer answer;
-        seen[i].known = query->settle(looked_to[i], answer) && (answer.crossing || looked_to[i] == INFINITY);
-        seen[i].crossing = answer.crossing;
+        settle(*query, looked_to[i], seen[i]);
     }
+}
+
+void MeshTree::next_in_turn(Lines const& asked, std::span<SeenAhead* const> seen) const {
+    TriangleTree::Lines const& lines = asked.lines;
+    struct Room : QueryRoom {
+        SeenAhead* seen = nullptr; // of the line that has a query here
+        double looked_to;
+    };
+    std::array<Room, 2> rooms; // for the line that is looked for now, and the last
+    Room* now = &rooms[0];
+    Room* last = &rooms[1];
+    auto const settle_in = [](Room& room) {
+        if (room.seen)
+            settle(room.query, room.looked_to, *room.seen);
+        room.seen = nullptr;
+    };
+    for (std::size_t i = 0; i < lines.count; ++i) { // until something is proposed: what it is in must be left
+        seen[i]->known = !InsideShells{*asked.inside[i], asked.first}.any_of(mesh_->shells.size());
+        seen[i]->crossing.reset();
+    }
+    triangles_.visit_in_turn(
+        lines,
+        [&](std::size_t) {
+            std::swap(now, last);
+            settle_in(*now);
+        },
+        [&](std::size_t i, Proposal const& proposal) {
+            Room& room = *now;
+            if (!room.seen) {
+                ::new (&room.query) MeshQuery(*this, lines.start(i), lines.along(i), lines.unit[i],
+                                              InsideShells{*asked.inside[i], asked.first}, 0.0,
+                                              asked.rounding[i], triangles_.blur() / lines.unit[i]);
+                room.seen = seen[i];
+                room.looked_to = INFINITY;
+            }
+            double const to = room.query.take(proposal.triangle, proposal.t, proposal.sense);
+            room.looked_to = std::min(room.looked_to, to);
+            return to;
+        });
+    settle_in(*last);
+    settle_in(*now);
 }
 
 MeshAnswer MeshTree::next_exact(dvec3 const& origin, dvec3 const& direction, InsideShells inside, Reach reach,

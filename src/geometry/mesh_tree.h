@@ -93,6 +93,9 @@ class MeshTree {
     /// Of each the crossing that next() gives, where float leaves no doubt.
     void next_together(Lines const& asked, std::span<SeenAhead> seen) const;
     bool looks_ahead() const { return triangles_.visits_together(); }
+    /// The same of lines that go anywhere, one after another: while one is looked for, what the last needs
+    /// comes from memory.
+    void next_in_turn(Lines const& asked, std::span<SeenAhead* const> seen) const;
 
     /// The same answer from every crossing that the line has, met as boxes in double: slower, and the judge
     /// of next().

@@ -87,12 +87,11 @@ void Grove::grow_generations() {
     }
 }
 
-/// What goes the same way is asked about together, before each is traced. Where rays split, later generations
-/// are not: packets of what is left of them cost more than they save (measured in a ball of 100 000
-/// triangles).
+/// All are asked about before any is traced. Where rays split, later generations go no one way: packets of
+/// what is left of them cost more than they save (measured in a ball of 100 000 triangles).
 void Grove::look_ahead(bool first) {
     bool const may_go_alike = first || one_path_a_ray(context_.options);
-    ahead_.begin(may_go_alike ? generation_.size() : 0, first);
+    ahead_.begin(generation_.size(), first, may_go_alike);
     if (!ahead_.wants())
         return;
     for (std::size_t i = 0; i < generation_.size(); ++i)

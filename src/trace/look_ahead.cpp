@@ -10,6 +10,7 @@ namespace {
 constexpr double least_cosine = 0.95;
 constexpr double farthest_start = 0.05; // of the mesh's size
 constexpr std::size_t least_together = 6;
+constexpr std::size_t least_in_turn = 4; // so many doubles there are in a register
 
 } // namespace
 
@@ -18,10 +19,11 @@ LookAhead::LookAhead(Scene const& scene) : bvh_(*scene.bvh) {
     near_ = near * near;
 }
 
-void LookAhead::begin(std::size_t branches, bool first) {
+void LookAhead::begin(std::size_t branches, bool first, bool may_go_alike) {
     // where most of the last generation went alone, this one will, too
     bool const scattered = !first && 2 * together_ < added_;
-    wants_ = near_ > 0.0 && branches >= least_together && !scattered;
+    in_packets_ = near_ > 0.0 && may_go_alike && branches >= least_together && !scattered;
+    wants_ = in_packets_ || (bvh_.looks_ahead_in_turn() && branches >= least_in_turn);
     added_ = together_ = 0;
     if (!wants_)
         return seen_.clear();
@@ -36,28 +38,29 @@ bool LookAhead::fits(Packet const& packet, Branch const& branch) const {
     return dot(branch.direction, *first.direction) > least_cosine && dot(off, off) < near_;
 }
 
-void LookAhead::add(std::size_t number, Branch const& branch) {
-    ++added_;
-    Packet* into = nullptr;
+LookAhead::Packet& LookAhead::packet_for(Branch const& branch) {
     for (Packet& packet : packets_)
-        if (!packet.numbers.empty() && fits(packet, branch)) {
-            into = &packet;
-            break;
-        }
-    if (!into) {
-        for (Packet& packet : packets_)
-            if (packet.numbers.empty())
-                into = &packet;
-    }
-    if (!into) {
-        into = &packets_[next_];
-        next_ = (next_ + 1) % packets_.size();
-        look(*into);
-    }
-    into->numbers.push_back(static_cast<std::uint32_t>(number));
-    into->lines.push_back({&branch.origin, &branch.direction, &branch.inside});
-    if (into->numbers.full())
-        look(*into);
+        if (!packet.numbers.empty() && fits(packet, branch))
+            return packet;
+    for (Packet& packet : packets_)
+        if (packet.numbers.empty())
+            return packet;
+    Packet& given_up = packets_[next_];
+    next_ = (next_ + 1) % packets_.size();
+    look(given_up);
+    return given_up;
+}
+
+void LookAhead::add(std::size_t number, Branch const& branch) {
+    Bvh::Line const line{&branch.origin, &branch.direction, &branch.inside};
+    if (!in_packets_)
+        return look_in_turn(static_cast<std::uint32_t>(number), line);
+    ++added_;
+    Packet& into = packet_for(branch);
+    into.numbers.push_back(static_cast<std::uint32_t>(number));
+    into.lines.push_back(line);
+    if (into.numbers.full())
+        look(into);
 }
 
 void LookAhead::look(Packet& packet) {
@@ -68,14 +71,36 @@ void LookAhead::look(Packet& packet) {
         for (std::size_t i = 0; i < count; ++i)
             seen_[packet.numbers[i]] = seen[i];
         together_ += count;
+    } else {
+        for (std::size_t i = 0; i < count; ++i)
+            look_in_turn(packet.numbers[i], packet.lines[i]);
     }
     packet.numbers.clear();
     packet.lines.clear();
 }
 
+void LookAhead::look_in_turn(std::uint32_t number, Bvh::Line const& line) {
+    alone_.numbers.push_back(number);
+    alone_.lines.push_back(line);
+    if (alone_.numbers.full())
+        look_in_turn();
+}
+
+void LookAhead::look_in_turn() {
+    std::size_t const count = alone_.numbers.size();
+    std::array<SeenAhead*, Bvh::most_together> seen;
+    for (std::size_t i = 0; i < count; ++i)
+        seen[i] = &seen_[alone_.numbers[i]];
+    bvh_.look_ahead_in_turn({alone_.lines.begin(), count}, std::span(seen).first(count));
+    alone_.numbers.clear();
+    alone_.lines.clear();
+}
+
 void LookAhead::end() {
     for (Packet& packet : packets_)
         look(packet);
+    if (!alone_.numbers.empty())
+        look_in_turn();
 }
 
 } // namespace sahl

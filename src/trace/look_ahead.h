@@ -1,4 +1,5 @@
-// In: branches that are about to be traced. Out: what packets of those that go the same way find of each.
+// In: branches that are about to be traced. Out: what each will meet of the largest mesh, found by packets of
+// those that go the same way, and of the others one after another.
 #pragma once
 
 #include "geometry/mesh_tree.h"
@@ -11,13 +12,14 @@
 
 namespace sahl {
 
-/// What is found is what each branch would find alone: packets make that quicker, and change nothing.
+/// What is found is what each branch would find alone: together that is quicker, and changes nothing.
 class LookAhead {
   public:
     explicit LookAhead(Scene const& scene);
 
     /// A generation of so many branches begins, the first of their group or another.
-    void begin(std::size_t branches, bool first);
+    ///   may_go_alike   is it worth while to look for packets?
+    void begin(std::size_t branches, bool first, bool may_go_alike);
     /// Is it worth while to add branches?
     bool wants() const { return wants_; }
     void add(std::size_t number, Branch const& branch);
@@ -36,11 +38,15 @@ class LookAhead {
         InlineVector<Bvh::Line, Bvh::most_together> lines;
     };
     bool fits(Packet const& packet, Branch const& branch) const;
+    Packet& packet_for(Branch const& branch);
     void look(Packet& packet);
+    void look_in_turn(std::uint32_t number, Bvh::Line const& line);
+    void look_in_turn();
 
     Bvh const& bvh_;
     double near_ = 0.0; // m, squared
-    bool wants_ = false;
+    bool wants_ = false, in_packets_ = false;
+    Packet alone_;                  // what goes no way in particular
     std::array<Packet, 4> packets_; // that are not full yet
     std::size_t next_ = 0;          // which of them is given up for a new one
     std::size_t added_ = 0, together_ = 0;

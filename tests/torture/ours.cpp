@@ -24,11 +24,16 @@ std::size_t shells_of(TorturePart const& part) {
     return mesh ? (*mesh)->shells.size() : 1;
 }
 
+enum class Ahead : std::uint8_t { nothing, in_packets, in_turn };
+
 class Ours : public Finder {
   public:
-    explicit Ours(TortureCase const& torture, Curving curving = Curving::none, bool in_packets = false)
-        : scene_(sahl_scene(torture, curving)),
-          in_packets_(in_packets && scene_.bvh->size_seen_ahead() > 0.0) {}
+    explicit Ours(TortureCase const& torture, Curving curving = Curving::none, Ahead ahead = Ahead::nothing)
+        : scene_(sahl_scene(torture, curving)), ahead_(ahead) {
+        if (ahead == Ahead::in_packets ? scene_.bvh->size_seen_ahead() == 0.0
+                                       : !scene_.bvh->looks_ahead_in_turn())
+            ahead_ = Ahead::nothing;
+    }
 
     void begin(TortureRay const& ray, std::vector<std::uint32_t> const&) override {
         origin_ = ray.origin;
@@ -39,7 +44,7 @@ class Ours : public Finder {
         body_ = body_at(scene_, inside_);
     }
     Answer next() override {
-        SeenAhead const ahead = in_packets_ ? seen_in_a_packet() : SeenAhead{};
+        SeenAhead const ahead = ahead_ != Ahead::nothing ? seen_among_others() : SeenAhead{};
         Meeting const meeting =
             next_interface(scene_, origin_, direction_, inside_, body_, left_, found_, &ahead);
         if (meeting == Meeting::nothing)
@@ -72,7 +77,7 @@ class Ours : public Finder {
 
   private:
     /// Of the ray, somewhere among others that start there too and go nearly the same way.
-    SeenAhead seen_in_a_packet() {
+    SeenAhead seen_among_others() {
         std::array<dvec3, Bvh::most_together> directions;
         std::array<SeenAhead, Bvh::most_together> seen;
         std::vector<Bvh::Line> lines;
@@ -86,7 +91,13 @@ class Ours : public Finder {
                                                                      std::sin(2.4 * turn) * other));
             lines.push_back({&origin_, &directions[i], &inside_});
         }
-        scene_.bvh->look_ahead(lines, seen);
+        if (ahead_ == Ahead::in_packets) {
+            scene_.bvh->look_ahead(lines, seen);
+        } else {
+            std::array<SeenAhead*, Bvh::most_together> places;
+            std::transform(seen.begin(), seen.end(), places.begin(), [](SeenAhead& one) { return &one; });
+            scene_.bvh->look_ahead_in_turn(lines, places);
+        }
         return seen[place];
     }
     std::uint32_t first_face(std::uint32_t part) const {
@@ -97,7 +108,7 @@ class Ours : public Finder {
     }
 
     Scene scene_;
-    bool in_packets_;
+    Ahead ahead_;
     std::uint64_t packets_ = 0;
     dvec3 origin_{0.0}, direction_{0.0};
     ShellSet inside_;
@@ -303,7 +314,11 @@ bool is_flat_faced(TortureCase const& torture) {
 }
 
 std::unique_ptr<Finder> ours_in_packets(TortureCase const& torture) {
-    return std::make_unique<Ours>(torture, Curving::none, true);
+    return std::make_unique<Ours>(torture, Curving::none, Ahead::in_packets);
+}
+
+std::unique_ptr<Finder> ours_in_turn(TortureCase const& torture) {
+    return std::make_unique<Ours>(torture, Curving::none, Ahead::in_turn);
 }
 
 std::unique_ptr<Finder> ours_without_contact(TortureCase const& torture) {

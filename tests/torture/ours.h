@@ -19,6 +19,8 @@ std::unique_ptr<Finder> ours_curved(TortureCase const& torture, Curving curving)
 bool is_flat_faced(TortureCase const& torture);
 /// The same, each ray asked about in a packet with others.
 std::unique_ptr<Finder> ours_in_packets(TortureCase const& torture);
+/// The same, each ray asked about ahead with others, one after another.
+std::unique_ptr<Finder> ours_in_turn(TortureCase const& torture);
 std::unique_ptr<Finder> ours_without_contact(TortureCase const& torture);
 
 } // namespace sahl::bench

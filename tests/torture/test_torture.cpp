@@ -89,10 +89,11 @@ TEST_CASE("bodies of flat faces are met as their triangles by curved patches too
     CHECK(judged > 20);
 }
 
-TEST_CASE("rays that are asked about in packets meet what they should", "[torture]") {
+TEST_CASE("rays that are asked about with others meet what they should", "[torture]") {
     for (Adder const add : {add_edge_cases, add_grazing_cases, add_contact_cases, add_extreme_cases,
                             add_mixed_cases, add_combined_cases})
-        check(add, 3, 500, ours_in_packets);
+        for (auto const make : {ours_in_packets, ours_in_turn})
+            check(add, 3, 500, make);
 }
 
 TEST_CASE("the judge of the torture suite sees a body that is not merged with what it touches", "[torture]") {

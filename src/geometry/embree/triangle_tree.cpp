@@ -336,4 +336,24 @@ void TriangleTree::visit_packet(Lines const& lines, PacketCallback callback, voi
     intersect_packet(state.scene, query.embree, parts.valid.data(), rays);
 }
 
+void TriangleTree::visit_lines(Lines const& lines, Beginning begin, Callback callback, void* context) const {
+    State const& state = *state_;
+    if (!state.scene)
+        return;
+    Parts const parts(lines, state.centre, state.half, state.margin);
+    Query query{{}, callback, context, state.margin, static_cast<float>(state.sure * state.sure), {}};
+    for (std::size_t i = 0; i < lines.count; ++i) {
+        if (!parts.valid[i])
+            continue;
+        begin(context, i);
+        query.asked = {std::numeric_limits<double>::infinity(), parts.from[i], lines.unit[i],
+                       parts.per_unit[i]};
+        dvec3 const start(parts.start[0][i], parts.start[1][i], parts.start[2][i]), along = lines.along(i);
+        double const length = (parts.to[i] - parts.from[i]) * lines.unit[i] + state.margin;
+        RTCRayHit ray =
+            float_ray(start + parts.from[i] * along, parts.per_unit[i] * along, static_cast<float>(length));
+        intersect(state.scene, query.embree, ray);
+    }
+}
+
 } // namespace sahl

@@ -83,6 +83,28 @@ class TriangleTree {
             const_cast<void*>(static_cast<void const*>(&visitor)));
     }
 
+    /// visit() for lines one after another, from 0 to ∞: made ready together, that costs less than one by
+    /// one. Calls begin(number) before a line's proposals, and not for lines that meet nothing for certain.
+    template <class Begin, class Visitor>
+    void visit_in_turn(Lines const& lines, Begin&& begin, Visitor&& visitor) const {
+        struct Both {
+            Begin& begin;
+            Visitor& visitor;
+            std::size_t line;
+        } both{begin, visitor, 0};
+        visit_lines(
+            lines,
+            [](void* context, std::size_t line) {
+                Both& of = *static_cast<Both*>(context);
+                of.begin(of.line = line);
+            },
+            [](void* context, Proposal const& proposal) {
+                Both const& of = *static_cast<Both*>(context);
+                return of.visitor(of.line, proposal);
+            },
+            &both);
+    }
+
     /// m: how far along the line a proposal of sure sense may lie from where its t says.
     double blur() const;
     /// m: how far from a triangle's plane, on the outer side, a line may start and pass for one that starts
@@ -95,6 +117,8 @@ class TriangleTree {
                          Callback callback, void* context) const;
     using PacketCallback = double (*)(void* context, std::size_t line, Proposal const& proposal);
     void visit_packet(Lines const& lines, PacketCallback callback, void* context) const;
+    using Beginning = void (*)(void* context, std::size_t line);
+    void visit_lines(Lines const& lines, Beginning begin, Callback callback, void* context) const;
 
     struct State;
     std::unique_ptr<State> state_;

@@ -54,7 +54,8 @@ constexpr Way ways[] = {
      is_flat_faced},
     {"sahl fitted", [](TortureCase const& torture) { return ours_curved(torture, sahl::Curving::fitted); },
      is_flat_faced},
-    {"sahl in packets", ours_in_packets, any}, // where it is asked for
+    {"sahl in packets", ours_in_packets, any}, // these where they are asked for
+    {"sahl in turn", ours_in_turn, any},
 };
 
 struct Options {
@@ -145,7 +146,8 @@ int main(int argc, char** argv) {
         std::vector<char const*> names;
         for (Way const& way : ways)
             if (way.knows(torture) &&
-                (options.method.empty() ? way.make != ours_in_packets : way.name == options.method)) {
+                (options.method.empty() ? way.make != ours_in_packets && way.make != ours_in_turn
+                                        : way.name == options.method)) {
                 methods.push_back(way.make(torture));
                 names.push_back(way.name);
             }
