@@ -1,6 +1,7 @@
 // The command that makes a picture.
 #include "cli/commands.h"
 #include "cli/progress.h"
+#include "cli/stop.h"
 
 #include "run/model_picture.h"
 #include "run/render.h"
@@ -10,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -18,13 +18,6 @@
 namespace sahl {
 
 namespace {
-
-std::atomic<bool> stopped{false};
-
-extern "C" void stop_rendering(int) {
-    stopped = true;
-    std::signal(SIGINT, SIG_DFL); // a second time it means it
-}
 
 struct RenderArguments {
     std::string file, glass, seed;
@@ -86,8 +79,7 @@ int run_render(RenderArguments const& arguments) {
         std::string const name = source.file.stem().string();
         options.files.push_back(std::filesystem::path("out") / name / (name + ".png"));
     }
-    options.stop = &stopped;
-    std::signal(SIGINT, stop_rendering);
+    options.stop = &stop_on_signals();
     RenderResult result;
     {
         ProgressLine line(arguments.quiet);
@@ -95,13 +87,17 @@ int run_render(RenderArguments const& arguments) {
         options.progress = [&](std::uint64_t done, std::uint64_t total) { line.show(done, total, "tiles"); };
         result = render_experiment(source, options);
     }
+    if (!result.begun) {
+        std::cerr << "sahl: stopped before there was anything to write\n";
+        return status_when_stopped();
+    }
     if (arguments.json)
         std::cout << to_json(result.summary) << "\n";
     else if (!arguments.quiet)
         print_summary(result.summary, options.files);
     if (!result.whole)
         std::cerr << "sahl: stopped; what was done is written\n";
-    return result.whole ? 0 : 128 + SIGINT;
+    return result.whole ? 0 : status_when_stopped();
 }
 
 } // namespace

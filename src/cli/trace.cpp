@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
+#include "cli/stop.h"
 
 #include "math/input_error.h"
 #include "run/run.h"
@@ -78,14 +79,22 @@ int run_trace(TraceArguments const& arguments) {
     options.keep_every_s = arguments.keep_every_s;
     if (!arguments.log.empty() && arguments.log != "none")
         options.log_file = arguments.log;
+    options.stop = &stop_on_signals();
     RunResult result;
-    {
+    try {
         ProgressLine line(arguments.quiet);
         options.progress = [&](std::uint64_t done, std::uint64_t total) { line.show(done, total); };
         options.sweep_progress = [&](std::size_t step, std::size_t steps) {
             line.begin("runs done: " + std::to_string(step) + " of " + std::to_string(steps));
         };
         result = run_experiment(source, options);
+    } catch (RunStopped const& stopped) {
+        std::cerr << "sahl: stopped"
+                  << (stopped.kept.empty()
+                          ? std::string()
+                          : "; --resume goes on from what was done, in " + stopped.kept.string())
+                  << "\n";
+        return status_when_stopped();
     }
     if (arguments.json)
         std::cout << to_json(result.summary) << "\n";

@@ -54,9 +54,9 @@ enum class LogStart { anew, where_it_was_stopped };
 
 /// Writes rays.h5 under a temporary name beside `file`; close() syncs and renames it. A log longer than
 /// shard_rows becomes a folder of shards beside `file`, each closed, synced and renamed as soon as it is
-/// full, and `file` shows them as one; a manifest beside them lists them with checksums. Destroyed unclosed,
-/// it removes what it wrote. The same rows give the same bytes, in whatever portions they come, stopped and
-/// gone on with or not.
+/// full, and `file` shows them as one; a manifest beside them lists them with checksums. Destroyed unclosed
+/// and not left, it removes what it wrote. The same rows give the same bytes, in whatever portions they come,
+/// stopped and gone on with or not.
 class RayLogWriter {
   public:
     RayLogWriter(std::filesystem::path file, LogHeader const& header, RayLogOptions const& options = {},
@@ -86,6 +86,8 @@ class RayLogWriter {
     void append(std::span<Segment const> segments);
 
     void close();
+    /// Stopped on the way: the shards that are closed stay, for LogStart::where_it_was_stopped.
+    void leave();
 
   private:
     struct State;

@@ -40,7 +40,7 @@ struct RayLogWriter::State {
     std::uint64_t placed = 0; // rows
     std::mutex mutex;         // of those remembered: one thread places rows, another closes shards
     std::deque<LogCheckpoint> remembered;
-    bool finished = false;
+    bool finished = false, left = false;
 
     State(fs::path const& file, LogHeader const& given, RayLogOptions const& chosen, LogStart start)
         : target(file), temporary(with_ending(file, ".tmp")),
@@ -92,7 +92,7 @@ RayLogWriter::State::~State() {
         return;
     std::error_code ignored;
     fs::remove(temporary, ignored);
-    if (!closed.empty())
+    if (!closed.empty() && !left)
         fs::remove_all(unfinished_shards, ignored);
 }
 
@@ -192,6 +192,10 @@ void RayLogWriter::append(std::span<Segment const> segments) {
         write(std::move(chunks));
         segments = segments.subspan(part.size());
     }
+}
+
+void RayLogWriter::leave() {
+    state_->left = true;
 }
 
 void RayLogWriter::close() {

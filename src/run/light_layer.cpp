@@ -78,7 +78,7 @@ double luminance_of_a_watt(Emission const& emission, Scene const& scene) {
 } // namespace
 
 std::optional<LightMap> light_layer(Experiment const& experiment, ModelCache* models, unsigned threads,
-                                    Progress const& progress) {
+                                    Progress const& progress, std::atomic<bool> const& stop) {
     auto const& caustics = experiment.picture->options.caustics;
     if (!caustics)
         return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<LightMap> light_layer(Experiment const& experiment, ModelCache* mo
     std::uint64_t const batches = (emission.rays() + rays_per_batch - 1) / rays_per_batch;
     tbb::task_arena arena(threads ? static_cast<int>(threads) : tbb::task_arena::automatic);
     std::vector<std::vector<DetectorHit>> hits;
-    for (std::uint64_t begin = 0; begin < batches; begin += batches_together) {
+    for (std::uint64_t begin = 0; begin < batches && !stop; begin += batches_together) {
         std::uint64_t const count = std::min(batches_together, batches - begin);
         hits.assign(count, {});
         arena.execute([&] {

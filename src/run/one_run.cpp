@@ -74,6 +74,11 @@ PagePaths sample_paths(Scene const& scene, WavelengthTable const& optics, Emissi
     return thinned(paths, segments);
 }
 
+void stop_if_asked(RunOptions const& options) {
+    if (options.stop && *options.stop)
+        throw RunStopped();
+}
+
 double segments_of_a_ray(Value const& summary) {
     auto const number = [&](char const* key) {
         Value const* const found = summary.find(key);
@@ -100,12 +105,14 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
     WavelengthTable const optics(run.scene);
     Emission const emission(run.scene.sources, optics, experiment.trace.seed);
     RunFacts const facts{program_name(), experiment_sha256(source), source.set};
+    stop_if_asked(options);
     MethodChoice choice = settle_methods(run.scene, optics, emission, experiment.trace);
     for (std::string& warning : choice.warnings)
         run.scene.warnings.push_back(std::move(warning));
 
     for (std::string& warning : unclosed_warnings(run.scene))
         run.scene.warnings.push_back(std::move(warning));
+    stop_if_asked(options);
     Pilots const pilots = send_pilots(run.scene, optics, emission, experiment.trace);
     if (pilots.polarisation)
         for (std::string& warning :
@@ -124,7 +131,12 @@ OneRun run_once(ExperimentSource const& source, Experiment const& experiment, Ru
         known = known_in(folder, options.resume, *options.keep_every_s);
     TraceOutcome const outcome =
         trace_scene(run.scene, optics, emission, experiment.trace, options.threads, log ? &*log : nullptr,
-                    experiment.log, options.progress, known ? &*known : nullptr);
+                    experiment.log, options.progress, known ? &*known : nullptr, options.stop);
+    if (!outcome.whole) {
+        if (log)
+            log->leave();
+        throw RunStopped();
+    }
     if (log)
         log->close();
     for (std::string& warning : hole_warnings(run.scene, outcome.holes))

@@ -89,16 +89,19 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
     auto const start = Clock::now();
     need_camera(source.tree, source.file);
     Experiment experiment = read_experiment(source.tree, source.file);
-    auto const caustics = light_layer(experiment, options.models, options.threads, options.progress);
+    static std::atomic<bool> const never{false};
+    std::atomic<bool> const& stop = options.stop ? *options.stop : never;
+    auto const caustics = light_layer(experiment, options.models, options.threads, options.progress, stop);
     experiment.detectors.clear(); // they are no things that could be seen
     Scene scene = build_scene(experiment, options.models);
     take_from_models(*experiment.picture, scene, source.file);
     Picture const& picture = *experiment.picture;
     PictureMaker const maker(scene, picture, experiment.trace, caustics ? &*caustics : nullptr);
+    if (stop)
+        return {nothing(), false, false};
     double const preparing = seconds_since(start);
-    static std::atomic<bool> const never{false};
-    RenderOutcome const outcome = render_scene(maker, picture.options, options.threads, options.progress,
-                                               options.stop ? *options.stop : never);
+    RenderOutcome const outcome =
+        render_scene(maker, picture.options, options.threads, options.progress, stop);
     auto const writing = Clock::now();
     write_files(options, outcome.film, picture.options, metadata_of(source, experiment));
     std::uint64_t segments = 0;

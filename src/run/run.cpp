@@ -38,6 +38,21 @@ ExperimentSource load_experiment(fs::path const& file, std::vector<std::string> 
     return source;
 }
 
+namespace {
+
+RunResult results_of(ExperimentSource const& source, Experiment const& experiment, RunOptions const& options,
+                     fs::path const& work) {
+    if (!experiment.sweep.empty())
+        return run_sweep(source, experiment, options, work);
+    if (experiment.goal)
+        return run_goal(source, experiment, options, work);
+    OneRun run = run_once(source, experiment, options, work);
+    write_page(work, run, run.summary, {}, {});
+    return {std::move(run.summary), std::move(run.failures)};
+}
+
+} // namespace
+
 RunResult run_experiment(ExperimentSource const& source, RunOptions const& options) {
     Experiment const experiment =
         read_experiment(source.tree, source.file); // all errors of input, before a file is made
@@ -51,14 +66,10 @@ RunResult run_experiment(ExperimentSource const& source, RunOptions const& optio
                        options.resume ? Unfinished::same_goes_on : Unfinished::removed);
     fs::path const work = folder ? folder->path() : fs::path();
     RunResult result;
-    if (sweeps) {
-        result = run_sweep(source, experiment, options, work);
-    } else if (experiment.goal) {
-        result = run_goal(source, experiment, options, work);
-    } else {
-        OneRun run = run_once(source, experiment, options, work);
-        write_page(work, run, run.summary, {}, {});
-        result = {std::move(run.summary), std::move(run.failures)};
+    try {
+        result = results_of(source, experiment, options, work);
+    } catch (RunStopped const&) {
+        throw RunStopped{folder && folder->keep() ? work : fs::path()};
     }
     if (folder)
         folder->publish();

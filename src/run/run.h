@@ -4,6 +4,7 @@
 #include "run/trace_scene.h"
 #include "scene/read_experiment.h"
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -35,7 +36,13 @@ struct RunOptions {
                                                // is no log; none: never
     Progress progress;                         // of each run
     std::function<void(std::size_t step, std::size_t steps)> sweep_progress;
-    ModelCache* models = nullptr; // those of earlier runs; none: each run reads its own
+    std::atomic<bool> const* stop = nullptr; // once it is set, the run ends as soon as it can, by RunStopped
+    ModelCache* models = nullptr;            // those of earlier runs; none: each run reads its own
+};
+
+/// Thrown where a run was stopped: no results are written.
+struct RunStopped {
+    std::filesystem::path kept; // where what is known stays, for `resume` to go on from; empty: nowhere
 };
 
 struct RunResult {
@@ -44,7 +51,7 @@ struct RunResult {
 };
 
 /// Traces the experiment, or each step of its sweep, and writes summary.json, rays.h5 if asked for,
-/// detectors/, sweep.csv and report.html. Throws InputError, and then nothing is written.
+/// detectors/, sweep.csv and report.html. Throws InputError, and then nothing is written; and RunStopped.
 RunResult run_experiment(ExperimentSource const& source, RunOptions const& options);
 
 /// Of the file as read; where it names catalogues of glasses, of that and what stands in them.

@@ -107,10 +107,14 @@ RunFolder::RunFolder(fs::path wanted, std::string const& identity, Unfinished un
 
 RunFolder::~RunFolder() {
     std::error_code ignored;
-    if (!published_ && !(lock_ >= 0 && has_runs(work_)))
+    if (!published_ && !kept_ && !(lock_ >= 0 && has_runs(work_)))
         fs::remove_all(work_, ignored);
     if (lock_ >= 0)
         ::close(lock_);
+}
+
+bool RunFolder::keep() {
+    return kept_ = lock_ >= 0;
 }
 
 void RunFolder::publish() {

@@ -15,8 +15,8 @@ enum class Unfinished {
 };
 
 /// While it lives, results go to a folder beside the wanted one; publish() puts that in its place. Not
-/// published, it leaves everything as it was, but for complete runs of a sweep. What an earlier run left
-/// there is replaced; files that no run writes are kept.
+/// published, it leaves everything as it was, but for complete runs of a sweep, and what is kept. What an
+/// earlier run left there is replaced; files that no run writes are kept.
 class RunFolder {
   public:
     /// Throws InputError where `wanted` holds files but no run, or cannot be written.
@@ -31,12 +31,14 @@ class RunFolder {
 
     std::filesystem::path const& path() const { return work_; }
     void publish();
+    /// What is there stays, for the next start with the same identity; false where there is none to find it.
+    bool keep();
 
   private:
     bool claim_partial(std::string const& identity, Unfinished unfinished);
 
     std::filesystem::path wanted_, work_;
-    bool published_ = false;
+    bool published_ = false, kept_ = false;
     int lock_ = -1; // of the file that says whose partial results these are
 };
 

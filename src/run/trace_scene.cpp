@@ -36,7 +36,8 @@ SumUnit power_unit(Emission const& emission) {
 
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
                          TraceOptions const& options, unsigned threads, RayLogWriter* log,
-                         LogOptions const& logged, Progress const& progress, KnownSoFar const* known) {
+                         LogOptions const& logged, Progress const& progress, KnownSoFar const* known,
+                         std::atomic<bool> const* stop) {
     auto const start = std::chrono::steady_clock::now();
     SumUnit const unit = power_unit(emission);
     PathFilters const filters = path_filters(scene, log ? logged.where : WrittenFilter{});
@@ -52,6 +53,7 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
                          {},
                          {},
                          emission.rays(),
+                         true,
                          0.0,
                          threads ? threads : static_cast<unsigned>(tbb::this_task_arena::max_concurrency())};
     bool const chance = left_to_chance(scene, options) && !scene.detectors.empty();
@@ -74,9 +76,14 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         known_so_far(archive);
         next_batch = rays_done / rays_per_batch; // a stop lies between two of them
     }
+    auto const keep = [&] {
+        ArchiveWriter archive;
+        known_so_far(archive);
+        log ? log->remember(archive.bytes()) : known->keep(archive.bytes());
+    };
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism, outcome.threads);
     auto const number = [&](tbb::flow_control& control) {
-        if (next_batch >= batches)
+        if (next_batch >= batches || (stop && *stop))
             control.stop();
         return next_batch++;
     };
@@ -93,11 +100,8 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
     };
     auto const record = [&](std::shared_ptr<Traced> const& traced) { // in the order of batches
         bool const fills_shard = log && log->fills_shard(traced->rows->rows());
-        if (fills_shard || (!log && known && rays_done > 0 && known->due())) {
-            ArchiveWriter archive;
-            known_so_far(archive);
-            log ? log->remember(archive.bytes()) : known->keep(archive.bytes());
-        }
+        if (fills_shard || (!log && known && rays_done > 0 && known->due()))
+            keep();
         outcome.tally.add(traced->result->tally);
         outcome.digits.add(traced->result->digits);
         for (DetectorHit const& hit : traced->result->hits)
@@ -142,6 +146,9 @@ TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emis
         run();
     else
         tbb::task_arena(static_cast<int>(outcome.threads)).execute(run);
+    outcome.whole = rays_done >= emission.rays();
+    if (!outcome.whole && !log && known && rays_done > 0)
+        keep();
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

@@ -7,6 +7,7 @@
 #include "run/holes.h"
 #include "trace/tracer.h"
 
+#include <atomic>
 #include <functional>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct TraceOutcome {
     std::vector<DetectorRecord> detectors;
     std::vector<LostRay> lost; // the first few
     std::uint64_t rays = 0;
+    bool whole = true; // not stopped on the way
     double seconds = 0.0;
     unsigned threads = 1;
     DigitsLost digits{};       // where the options ask for it
@@ -41,10 +43,11 @@ struct KnownSoFar {
 ///            and only the rays after that are traced
 ///   logged   which of them do
 ///   known    where a run without a log keeps what it knows, and brings what was known; or nullptr
+///   stop     once it is set, no batch is begun; what is known of those that were done is kept
 TraceOutcome trace_scene(Scene const& scene, WavelengthTable const& optics, Emission const& emission,
                          TraceOptions const& options, unsigned threads, RayLogWriter* log,
                          LogOptions const& logged, Progress const& progress,
-                         KnownSoFar const* known = nullptr);
+                         KnownSoFar const* known = nullptr, std::atomic<bool> const* stop = nullptr);
 
 /// The unit in which the powers of this emission are summed.
 SumUnit power_unit(Emission const& emission);

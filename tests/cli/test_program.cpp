@@ -238,6 +238,18 @@ TEST_CASE("check tells a hole in a model by its place, as text and as JSON, and 
     CHECK(shell.text("out.txt").empty());
 }
 
+TEST_CASE("a picture that is told to stop is written as far as it is, with the status of its signal") {
+    Shell shell;
+    shell.write("slow.toml", ball + "[camera]\nat_mm = [0, 0, 40]\nlook_at_mm = [0, 0, 0]\nfov_deg = 10\n"
+                                    "resolution = [1600, 1600]\nsamples = 256\n"
+                                    "[background]\ncolor = [1, 1, 1]\n");
+    // which signals the program, and then its whole group: that is one wish and not two
+    std::string const until = "timeout' --preserve-status 4 '";
+    CHECK(shell.run("render slow.toml --out slow.exr", until + SAHL_PROGRAM) == 143);
+    CHECK(shell.text("err.txt") == "sahl: stopped; what was done is written\n");
+    CHECK(fs::file_size(shell.folder / "slow.exr") > 1600);
+}
+
 TEST_CASE("an option that is no number, or no method, is wrong usage that names the option") {
     Shell shell;
     shell.write("ball.toml", ball);

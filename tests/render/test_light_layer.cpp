@@ -23,6 +23,8 @@ std::string screen(std::string const& at, std::string const& more = "") {
            "[picture]\ncaustics = {detector = \"d\", white_W_per_mm2 = 2.7777777777777778e-4}\n";
 }
 
+std::atomic<bool> const never{false};
+
 double brightness(LightMap const& map, dvec3 const& millimetres) {
     return dot(map.at(1e-3 * millimetres), dvec3(0.2126, 0.7152, 0.0722));
 }
@@ -30,7 +32,7 @@ double brightness(LightMap const& map, dvec3 const& millimetres) {
 } // namespace
 
 TEST_CASE("a layer of light lies on its paint, though their numbers agree to five digits alone", "[render]") {
-    auto const map = light_layer(read_text(screen("[175.5, 30, 115.33]")), nullptr, 2, {});
+    auto const map = light_layer(read_text(screen("[175.5, 30, 115.33]")), nullptr, 2, {}, never);
     REQUIRE(map);
     // a watt over 60 × 60 mm² is what shows 1; 1800 rays of a low-discrepancy pattern fall on a pixel
     for (dvec2 const& at : {dvec2(0.0), dvec2(12, 9), dvec2(-14, 3), dvec2(5, -13)}) {
@@ -42,9 +44,9 @@ TEST_CASE("a layer of light lies on its paint, though their numbers agree to fiv
 
 TEST_CASE("a layer of light keeps its detector's filter, and is refused where there is no paint",
           "[render]") {
-    auto const none =
-        light_layer(read_text(screen("[175.5, 30, 115.33]", "where = \"refracted >= 1\"\n")), nullptr, 2, {});
+    auto const none = light_layer(read_text(screen("[175.5, 30, 115.33]", "where = \"refracted >= 1\"\n")),
+                                  nullptr, 2, {}, never);
     REQUIRE(none);
     CHECK(brightness(*none, {175.5, 30, 115.33}) == 0.0);
-    CHECK_THROWS_AS(light_layer(read_text(screen("[175.4, 30, 115.33]")), nullptr, 2, {}), InputError);
+    CHECK_THROWS_AS(light_layer(read_text(screen("[175.4, 30, 115.33]")), nullptr, 2, {}, never), InputError);
 }

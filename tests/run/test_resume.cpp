@@ -105,6 +105,17 @@ TEST_CASE("a run that goes on does not trace the rays of closed shards again", "
     CHECK(*first > 4096); // a batch fills three shards: the first is long in the log
 }
 
+TEST_CASE("a run with a log that is told to stop leaves its closed shards, and goes on to the same bytes",
+          "[run][resume]") {
+    Workshop const reference(many), stopped(many);
+    REQUIRE(reference.finish(reference.start()) == 0);
+    REQUIRE(stopped.signal_when(
+                SIGTERM, [&] { return fs::exists(stopped.shards / stopped.shard(1)); }, 0) == 128 + SIGTERM);
+    CHECK(stopped.whole_shards(RayLogReader(reference.out)) >= 2);
+    REQUIRE(stopped.finish(stopped.start({"--resume"})) == 0);
+    CHECK((results_in(stopped.out) == results_in(reference.out)));
+}
+
 TEST_CASE("a damaged shard is made again, and so is everything where the checkpoint is damaged",
           "[run][resume]") {
     Workshop const reference, damaged;

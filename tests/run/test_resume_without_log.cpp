@@ -87,6 +87,65 @@ TEST_CASE("a run without a log that was killed goes on from what it knew, to the
     CHECK_FALSE(fs::exists(killed.out / unfinished_folder));
 }
 
+TEST_CASE("a run that is told to stop keeps all that it has done, and goes on to the same results",
+          "[run][resume]") {
+    bench::Workshop const reference(ball(60000)), stopped(ball(60000));
+    REQUIRE(reference.finish(reference.start()) == 0);
+    std::atomic<bool> stop = false;
+    RunOptions options;
+    options.out = stopped.out;
+    options.keep_every_s = 1e6;
+    options.stop = &stop;
+    std::uint64_t last = 0;
+    options.progress = [&](std::uint64_t done, std::uint64_t) {
+        last = done;
+        stop = done >= 20000;
+    };
+    try {
+        run_experiment(load_experiment(stopped.experiment), options);
+        FAIL("it did not stop");
+    } catch (RunStopped const& was) {
+        CHECK(was.kept == stopped.partial);
+    }
+    CHECK_FALSE(fs::exists(stopped.out));
+    RunOptions again;
+    again.out = stopped.out;
+    again.resume = true;
+    std::optional<std::uint64_t> first;
+    again.progress = [&](std::uint64_t done, std::uint64_t) { first = first.value_or(done); };
+    run_experiment(load_experiment(stopped.experiment), again);
+    CHECK(first == last + 4096); // the next batch after those that were done
+    CHECK((results_in(stopped.out) == results_in(reference.out)));
+}
+
+TEST_CASE("Ctrl-C and what batch systems send stop a run with their own statuses, for --resume",
+          "[run][resume]") {
+    bench::Workshop const reference(ball(400000)), stopped(ball(400000));
+    REQUIRE(reference.finish(reference.start()) == 0);
+    int const signal = GENERATE(SIGINT, SIGTERM);
+    fs::path const known = stopped.partial / unfinished_folder / "known.bin";
+    CHECK(stopped.signal_when(
+              signal, [&] { return fs::exists(known); }, 0, often) == 128 + signal);
+    CHECK(fs::exists(known));
+    REQUIRE(stopped.finish(stopped.start({"--resume"})) == 0);
+    CHECK((results_in(stopped.out) == results_in(reference.out)));
+}
+
+TEST_CASE("a sweep that is told to stop keeps the runs that it has made", "[run][resume]") {
+    bench::Workshop const sweep(ball(20000) +
+                                "[sweep]\n\"object.ball.move_mm[2]\" = {from = -5, to = 9, steps = 8}\n");
+    std::atomic<bool> stop = false;
+    RunOptions options;
+    options.out = sweep.out;
+    options.stop = &stop;
+    options.threads = 1;
+    options.sweep_progress = [&](std::size_t done, std::size_t) { stop = done >= 3; };
+    CHECK_THROWS_AS(run_experiment(load_experiment(sweep.experiment), options), RunStopped);
+    CHECK(fs::exists(sweep.partial / "runs/002/summary.json"));
+    CHECK_FALSE(fs::exists(sweep.partial / "runs/003/summary.json"));
+    CHECK_FALSE(fs::exists(sweep.out));
+}
+
 TEST_CASE("a goal that was killed keeps the runs that it has made", "[run][resume]") {
     bench::Workshop const reference(ball(20000) + goal), killed(ball(20000) + goal);
     REQUIRE(reference.finish(reference.start()) == 0);

@@ -58,6 +58,7 @@ struct Workshop {
         words.insert(words.end(), more.begin(), more.end());
         pid_t const child = ::fork();
         if (child == 0) {
+            ::signal(SIGINT, SIG_DFL); // which a script's background ignores, and its children with it
             std::vector<char*> arguments;
             for (std::string& word : words)
                 arguments.push_back(word.data());
@@ -81,6 +82,11 @@ struct Workshop {
     /// before.
     bool kill_when(std::function<bool()> const& it_is_time, long microseconds,
                    std::vector<std::string> const& more = {}) const {
+        return signal_when(SIGKILL, it_is_time, microseconds, more) == -1;
+    }
+    /// The same with another signal; returns the exit status.
+    int signal_when(int signal, std::function<bool()> const& it_is_time, long microseconds,
+                    std::vector<std::string> const& more = {}) const {
         fs::remove_all(out);
         fs::remove_all(partial);
         pid_t const child = start(more);
@@ -88,8 +94,8 @@ struct Workshop {
         while (!it_is_time() && !fs::exists(out) && std::chrono::steady_clock::now() < deadline)
             std::this_thread::sleep_for(std::chrono::microseconds(100));
         std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
-        ::kill(child, SIGKILL);
-        return finish(child) == -1;
+        ::kill(child, signal);
+        return finish(child);
     }
     /// Once so many shards are closed.
     bool kill_one(int closed, long microseconds) const {
