@@ -38,12 +38,14 @@ struct Checker {
     Colour other{0, 0, 0}; // what ambient and diffuse are multiplied by in every second one
 };
 /// For pictures (B. T. Phong, Commun. ACM 18 (1975) 311); in tracing it reflects its share like a mirror and
-/// absorbs the rest.
+/// absorbs the rest. Where it covers less than all, the other share goes on by Snell, which between equal
+/// media is straight.
 struct Paint {
     Colour ambient{0, 0, 0}, diffuse{0, 0, 0}, specular{0, 0, 0};
     double shininess = 1.0, reflect = 0.0;
     std::string texture; // file of a picture that multiplies ambient and diffuse, or empty
     std::optional<Checker> checker{};
+    double covers = 1.0; // [0, 1]: of the surface
 };
 
 /// A boundary as model files describe it: of what arrives, `clear` meets the boundary of the two media, and

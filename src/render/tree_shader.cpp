@@ -161,9 +161,9 @@ void TreeShader::light_up(RayView& view, Branch const& branch, Interface const& 
     if (!paint)
         return;
     bool lit = false;
-    view.light += arrives * local_light(*paint, interface, branch, lit);
+    view.light += arrives * paint->covers * local_light(*paint, interface, branch, lit);
     bool const scatters = !branches.outgoing.empty() && branches.outgoing[0].event == Event::scattered;
-    if (scatters || (in_.picture.options.shadows == Shadows::ambient_only && !lit))
+    if (scatters || (in_.picture.options.shadows == Shadows::ambient_only && !lit && paint->covers == 1.0))
         branches.outgoing.clear();
 }
 

@@ -110,7 +110,8 @@ std::optional<ObjectId> wall_round(Scene const& scene, Census const& census, std
 
 bool is_opaque(Surface const& surface) {
     return std::visit(Overloaded{[](Metal const&) { return true; }, [](Absorber const&) { return true; },
-                                 [](Diffuse const&) { return true; }, [](Paint const&) { return true; },
+                                 [](Diffuse const&) { return true; },
+                                 [](Paint const& paint) { return paint.covers == 1.0; },
                                  [](Shares const& shares) { return shares.transmit == 0.0; },
                                  [](Tinted const& tinted) { return tinted.clear == 0.0; },
                                  [](ThinWall const& wall) { return wall.clear == 0.0; }},

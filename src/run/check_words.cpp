@@ -24,6 +24,8 @@ std::string surface_words(Surface const& surface) {
             [](Absorber const&) { return std::string("absorber"); },
             [](Diffuse const& d) { return words("diffuser of %.3g %%", 100.0 * d.reflectance); },
             [](Paint const& p) {
+                if (p.covers < 1.0)
+                    return words("paint that covers %.3g %%", 100.0 * p.covers);
                 return p.reflect > 0.0 ? words("paint that reflects %.3g %%", 100.0 * p.reflect)
                                        : std::string("paint (absorbs)");
             },

@@ -137,6 +137,10 @@ ModelMaterial surface_material(Surface const& surface, Scene const& scene, Mediu
                        make_opaque(material);
                        paint(material, p.diffuse);
                        material.roughness = 1.0;
+                       if (p.covers < 1.0) {
+                           material.alpha_mode = AlphaMode::blend;
+                           material.base_color[3] = p.covers;
+                       }
                    },
                    [&](Tinted const& t) { tint(material, t.clear, t.transmitted, t.mirrored); },
                    [&](ThinWall const& t) {

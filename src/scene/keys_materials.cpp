@@ -64,6 +64,7 @@ constexpr Key paint_keys[] = {
     {"specular", Kind::three, Repeated{3, 0.0}, "red, green, blue", not_negative},
     {"shininess", Kind::number, 1.0, "exponent of the highlight", not_negative},
     {"reflect", Kind::number, 0.0, "share that is reflected as by a mirror", share},
+    {"covers", Kind::number, 1.0, "share of the surface that is there; the rest of the light goes on", share},
     {"texture",
      Kind::text,
      {},

@@ -68,10 +68,10 @@ Colour mirrored(ModelMaterial const& material) {
 decltype(Surface::kind) opaque_kind(ModelMaterial const& material) {
     double const covers = coverage(material);
     Colour const mirror = times(covers, mirrored(material));
+    if (mirror == Colour{} && covers > 0.0)
+        return Paint{times(ambient_share, base(material)), base(material), {}, 1.0, 0.0, {}, {}, covers};
     if (covers < 1.0)
         return Tinted{1.0 - covers, {1.0, 1.0, 1.0}, mirror};
-    if (mirror == Colour{})
-        return Paint{times(ambient_share, base(material)), base(material), {}, 1.0, 0.0, {}};
     return Tinted{0.0, {1.0, 1.0, 1.0}, mirror};
 }
 

@@ -123,6 +123,8 @@ void warn_of_what_is_left_out(ModelMaterial& material, Value const& entry) {
                                          : "alpha blending is coverage, not glass: the share of light that "
                                            "it does not cover goes straight "
                                            "on; for glass export transmission");
+    if (material.alpha_mode != AlphaMode::opaque && material.color_texture)
+        warn("the alpha of its base colour's texture is not used: the factor's holds for all of it");
     if (emits(entry))
         warn("it emits no light: name sources in the experiment");
     if (find(extensions, "KHR_materials_specular") && material.ior != 0.0)

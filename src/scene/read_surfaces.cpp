@@ -55,7 +55,8 @@ Paint read_paint(Value const& table, std::filesystem::path const& folder) {
                 fields.number("shininess"),
                 fields.number("reflect"),
                 {},
-                {}};
+                {},
+                fields.number("covers")};
     if (fields.has("checker")) {
         Fields const checker(fields.at("checker"), keys::checker);
         auto const other = checker.numbers("other");

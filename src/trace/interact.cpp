@@ -173,7 +173,7 @@ Branches interact(Scene const& scene, WavelengthTable const& optics, Interface c
                 [&](Shares const& s) { return constant_shares(met, s.reflect, s.transmit); },
                 [&](Absorber const&) { return constant_shares(met, 0.0, 0.0); },
                 [&](Diffuse const& s) { return diffuse(met, s.reflectance, draw); },
-                [&](Paint const& s) { return constant_shares(met, s.reflect, 0.0); },
+                [&](Paint const& s) { return constant_shares(met, s.covers * s.reflect, 1.0 - s.covers); },
                 [&](Tinted const& s) { return tinted(met, s, optics.wavelengths()[wavelength.value]); },
                 [&](ThinWall const& s) {
                     return thin_wall(met, s, optics.index(s.wall, wavelength),

@@ -64,7 +64,10 @@ SortedLight sort_light(Scene const& scene, WavelengthTable const& optics, Interf
                              },
                              [&](Absorber const&) { return by_shares(0.0, 0.0, false); },
                              [&](Diffuse const& s) { return by_shares(s.reflectance, 0.0, false); },
-                             [&](Paint const& s) { return by_shares(s.reflect, 0.0, false); },
+                             [&](Paint const& s) {
+                                 return by_shares(s.covers * s.reflect, 1.0 - s.covers,
+                                                  branches.ended == Event::total_internal);
+                             },
                              [&](Tinted const& s) {
                                  return with_colour(sorted_by_dielectric(incidence, before, after), s.clear,
                                                     at_wavelength(s.transmitted, colour),

@@ -200,3 +200,19 @@ TEST_CASE("adaptive sampling spends its samples where neighbours differ", "[rend
     CHECK(outcome.film.at(10, 20).samples == 16);
     CHECK(outcome.sampled_again < 200); // of the 1600: the rim is 63 pixels long
 }
+
+TEST_CASE("paint that covers a part shows that part of its colour, and lets the rest pass, to lamps too",
+          "[render]") {
+    std::string const scene =
+        "[surface.film]\npaint = {ambient = [0.8, 0.2, 0], covers = 0.25, reflect = 0.5}\n"
+        "[surface.white]\npaint = {diffuse = [1, 1, 1]}\n"
+        "[[object]]\nname = \"film\"\nshape = {rectangle = {size_mm = [80, 80]}}\nsurface = \"film\"\n"
+        "[[object]]\nname = \"wall\"\nshape = {rectangle = {size_mm = [400, 400]}}\nsurface = \"white\"\n"
+        "move_mm = [0, 0, -30]\n[[light]]\ndirectional = {toward = [0, 0, -1]}\n"
+        "[camera]\nat_mm = [0, 0, 100]\nlook_at_mm = [0, 0, 0]\nheight_mm = 1\nresolution = [4, 4]\n"
+        "[background]\ncolor = [0.4, 0.4, 0.4]\n";
+    // its own part; the sky in the mirror; and the wall, lit through the film, seen through it
+    dvec3 const part = 0.25 * dvec3(0.8, 0.2, 0.0) + dvec3(0.25 * 0.5 * 0.4);
+    CHECK(farthest(render(scene).film, part + dvec3(0.75 * 0.75)) < 1e-12);
+    CHECK(farthest(render(scene + "[picture]\nshadows = \"hard\"\n").film, part) < 1e-12);
+}

@@ -272,6 +272,12 @@ TEST_CASE("metal is a mirror of its base colour, ior 0 one of its specular colou
     auto const veil = reflected(3, 550e-9); // covers 0.3, the rest goes straight on
     CHECK(veil.first == 0.0);
     CHECK(veil.second == Approx(0.7).epsilon(1e-15));
+    Thing thing(gltf_text({square(0.0), square(1.0), square(2.0), square(3.0)}, materials, "", uses));
+    auto const& surfaces = thing.scene().surfaces;
+    CHECK(std::any_of(surfaces.begin(), surfaces.end(), [](Surface const& surface) {
+        auto const* const paint = std::get_if<Paint>(&surface.kind);
+        return paint && paint->covers == 0.3; // in pictures it is seen, and does not only darken
+    }));
 }
 
 TEST_CASE("a mapping gives a material a medium, a surface or both, before what the file says", "[scene]") {
