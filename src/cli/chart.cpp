@@ -47,6 +47,8 @@ int run_chart(ChartArguments const& arguments) {
     for (MethodFigures const& m : chart.methods)
         std::printf("%s %-13s %12.4g %12.3g %12.3g %12.3g %9.3g%%\n", m.front ? "*" : " ", m.method.c_str(),
                     m.ns_per_segment, m.rms, m.leaving, m.greatest, 100.0 * m.changed);
+    for (std::string const& warning : chart.warnings)
+        std::printf("  warning: %s\n", warning.c_str());
     std::printf("  *: no other method is both faster and nearer; written to %s\n", out.c_str());
     return 0;
 }

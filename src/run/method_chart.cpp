@@ -110,6 +110,8 @@ MethodChart method_chart(ExperimentSource const& source, std::optional<Experimen
     MethodChart chart;
     chart.title = experiment.title;
     chart.rays = rays.size();
+    if (auto kept = keeps_all_triangles(experiment))
+        chart.warnings.push_back(std::move(*kept));
     std::optional<ExactSide> truth;
     if (exact) {
         truth.emplace(*exact);

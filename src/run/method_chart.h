@@ -24,6 +24,7 @@ struct MethodFigures {
 struct MethodChart {
     std::string title, reference; // what errors are held against
     std::uint64_t rays = 0;       // that were compared
+    std::vector<std::string> warnings;
     std::vector<MethodFigures> methods;
 };
 

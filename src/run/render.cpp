@@ -110,6 +110,8 @@ RenderResult render_experiment(ExperimentSource const& source, RenderOptions con
     std::uint64_t const cut = count(outcome.ended, Event::cut_power) + count(outcome.ended, Event::cut_depth);
     std::vector<std::string> warnings = scene.warnings;
     warnings.insert(warnings.end(), maker.warnings().begin(), maker.warnings().end());
+    if (auto kept = keeps_all_triangles(experiment))
+        warnings.push_back(std::move(*kept));
     Table const table{{"title", of(experiment.title)},
                       {"program", of(program_name())},
                       {"columns", of(std::uint64_t{outcome.film.columns})},

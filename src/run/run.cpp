@@ -9,6 +9,8 @@
 #include "scene/read_file.h"
 #include "scene/read_model.h"
 
+#include <algorithm>
+
 namespace sahl {
 
 namespace fs = std::filesystem;
@@ -36,6 +38,17 @@ ExperimentSource load_experiment(fs::path const& file, std::vector<std::string> 
     for (std::string const& assignment : set)
         set_key_from_text(source.tree, assignment);
     return source;
+}
+
+std::optional<std::string> keeps_all_triangles(Experiment const& experiment) {
+    bool const asked =
+        std::any_of(experiment.objects.begin(), experiment.objects.end(), [](auto const& object) {
+            auto const* const model = std::get_if<ModelReference>(&object.what);
+            return model && model->decimate > 0.0;
+        });
+    if (!asked && !experiment.trace.decimate)
+        return {};
+    return "decimate and decimate_mm are for `sahl trace`: here meshes have all of their triangles";
 }
 
 namespace {

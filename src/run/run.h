@@ -57,6 +57,9 @@ RunResult run_experiment(ExperimentSource const& source, RunOptions const& optio
 /// Of the file as read; where it names catalogues of glasses, of that and what stands in them.
 std::string experiment_sha256(ExperimentSource const& source);
 
+/// What to say of an experiment that asks for fewer triangles where all are kept; nothing where it does not.
+std::optional<std::string> keeps_all_triangles(Experiment const& experiment);
+
 /// "sahl 0.1.0".
 std::string program_name();
 

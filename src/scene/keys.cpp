@@ -59,7 +59,8 @@ constexpr Key trace_keys[] = {
      "\"recognised\""},
     {"tolerance_rad", Kind::number, 1e-6, "with auto: the direction error that is borne", above_zero},
     {"decimate", Kind::truth, false,
-     "with auto, true: a mesh far finer than tolerance_rad needs is traced in fewer triangles"},
+     "with auto, true: `trace` follows light through a mesh far finer than tolerance_rad needs in fewer "
+     "triangles; pictures and charts have all"},
     {"tolerance_power", Kind::number, 1e-3, "with auto: the share of a detector's power that is borne",
      above_zero},
     {"polarised", Kind::any, "auto",

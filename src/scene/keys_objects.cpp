@@ -31,7 +31,8 @@ constexpr Key object_keys[] = {
     {"decimate_mm",
      Kind::number,
      {},
-     "of a model: it is traced in fewer triangles, no vertex that is left out farther off them than this",
+     "of a model: `trace` has it in fewer triangles, no vertex that is left out farther off them than "
+     "this; pictures and charts have all",
      above_zero},
     {"smooth", Kind::truth, false,
      "of a model: a mesh that has no normals gets those of its triangles, smooth up to folds of 30°; method "
