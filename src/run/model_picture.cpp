@@ -4,6 +4,7 @@
 #include "render/lamps.h"
 #include "scene/model_cache.h"
 #include "scene/model_picture.h"
+#include "scene/read_media.h"
 #include "scene/read_transform.h"
 #include "scene/scene.h"
 
@@ -178,6 +179,9 @@ ExperimentSource model_picture(fs::path const& file, std::string const& glass, M
             text += "medium = " + quoted(medium) + "\n";
         return experiment_of(file, text + "\n" + stage(*model, box));
     };
+    if (!glass.empty())
+        MediaBook(nullptr).refer(glass,
+                                 {"--glass", 0, 0, ""}); // what is wrong with it is not the model's fault
     ExperimentSource source = with(glass);
     if (!glass.empty())
         return source;

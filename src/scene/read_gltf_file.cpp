@@ -4,6 +4,7 @@
 #include "math/input_error.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <system_error>
 
@@ -88,6 +89,15 @@ std::vector<unsigned char> read_bytes(fs::path const& path, std::uint64_t wanted
     return bytes;
 }
 
+namespace {
+
+/// A brace, blanks before it, or a byte order mark.
+bool could_be_json(unsigned char first) {
+    return first == '{' || std::isspace(first) != 0 || first == 0xEF;
+}
+
+} // namespace
+
 GltfFile read_gltf_file(fs::path const& path) {
     GltfFile file;
     file.path = path;
@@ -100,6 +110,10 @@ GltfFile read_gltf_file(fs::path const& path) {
     if (file.bytes.size() >= 4 &&
         std::string_view(reinterpret_cast<char const*>(file.bytes.data()), 4) == "glTF")
         find_chunks(file);
+    else if (path.extension() == ".glb" && !could_be_json(file.bytes.front()))
+        throw InputError(file.name(),
+                         "this is no glTF: its first bytes are neither those of the binary form nor JSON",
+                         "export it again as glTF 2.0");
     if (file.json_size > json_budget)
         throw InputError(file.name(), "its JSON is larger than 256 MiB",
                          "export as .glb: data then lie outside the JSON");

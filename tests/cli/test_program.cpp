@@ -250,6 +250,26 @@ TEST_CASE("a picture that is told to stop is written as far as it is, with the s
     CHECK(fs::file_size(shell.folder / "slow.exr") > 1600);
 }
 
+TEST_CASE("what is wrong with a picture of a model is said of what is wrong") {
+    Shell shell;
+    std::string const ball_model = "'" SAHL_SOURCE_DIR "/models/ball-320.glb'";
+    CHECK(shell.run("render " + ball_model + " --glass N-BK8") == 3);
+    CHECK(shell.text("err.txt").rfind("sahl: --glass: there is no medium \"N-BK8\"", 0) == 0);
+    shell.write("noise.glb", "noise");
+    CHECK(shell.run("render noise.glb") == 3);
+    CHECK(shell.text("err.txt").find("this is no glTF") != std::string::npos);
+    shell.write("lens.toml",
+                "[[object]]\nname = \"ball\"\nlength_unit = \"mm\"\nmodel = " +
+                    ("\"" SAHL_SOURCE_DIR "/models/ball-320.glb\"" + std::string("\ndecimate_mm = 0.1\n")) +
+                    "medium = \"N-BK7\"\n[camera]\nat_mm = [0, 0, 40]\nlook_at_mm = [0, 0, 0]\n"
+                    "resolution = [8, 6]\nsamples = 1\n");
+    CHECK(shell.run("render lens.toml --out lens.png") == 0);
+    CHECK(shell.text("out.txt").find("decimate_mm are for `sahl trace`") != std::string::npos);
+    CHECK(shell.run("render " + ball_model +
+                    " --glass N-SF11 --out ball.png --set 'camera.resolution=[8, 6]'") == 0);
+    CHECK(shell.text("out.txt").find("decimate") == std::string::npos);
+}
+
 TEST_CASE("an option that is no number, or no method, is wrong usage that names the option") {
     Shell shell;
     shell.write("ball.toml", ball);
