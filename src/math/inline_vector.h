@@ -23,13 +23,9 @@ class InlineVector {
         if constexpr (small)
             std::memset(static_cast<void*>(items_), 0, sizeof items_);
     }
-    InlineVector(InlineVector const& other) noexcept
-        requires small
-    = default;
+    InlineVector(InlineVector const& other) noexcept requires small = default;
     InlineVector(InlineVector const& other) noexcept { copy(other); }
-    InlineVector& operator=(InlineVector const& other) noexcept
-        requires small
-    = default;
+    InlineVector& operator=(InlineVector const& other) noexcept requires small = default;
     InlineVector& operator=(InlineVector const& other) noexcept {
         if (this != &other)
             copy(other);
