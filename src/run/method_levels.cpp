@@ -13,11 +13,13 @@ namespace sahl {
 
 namespace {
 
-constexpr std::uint64_t pilots = 256;    // of each source
-constexpr double margin = 2.0;           // for what 256 rays do not see of the worst
-constexpr double margin_of_finest = 3.5; // two ways to fit the same data share some of their error
-// if a single number errs, and all ways to halve by chance tell it too small: once in some thousand scenes
-constexpr double margin_of_halves = 2.5;
+constexpr std::uint64_t pilots = 256; // of each source
+constexpr double margin = 2.0;        // for what 256 rays do not see of the worst
+// two ways to fit the same data share some of their error: of a tail that grows less, of what errs alike over
+// all of a coarse mesh more
+constexpr double margin_of_finest_tail = 3.4, margin_of_finest = 7.0;
+// if a single number errs, and all ways to halve by chance tell it too small: once in a thousand scenes
+constexpr double margin_of_halves = 2.0;
 constexpr double rounding = 1e-12; // rad: of directions in double, with all that a path may make of it
 
 constexpr std::size_t most_apart = 6; // groups that are judged one by one
@@ -83,7 +85,8 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
     PathErrors apart;
     if (fits) {
         apart = compare_paths(fitted, *trees(bodies, {false, fitted_apart}), true);
-        of_fitted = reference_bound = margin_of_finest * apart.tail() + rounding;
+        of_fitted = reference_bound =
+            std::max(margin_of_finest_tail * apart.tail(), margin_of_finest * apart.greatest) + rounding;
         reference = &fitted;
     }
     if (whole) {
