@@ -63,7 +63,7 @@ TEST_CASE("a chart holds every method against the exact shape, which has a row o
 
 TEST_CASE("the files of a chart say the same, and its page is whole and shows what it was given as text",
           "[curved]") {
-    MethodChart chart{"a <b> & c", "the sphere", 100, {}};
+    MethodChart chart{"a <b> & c", "the sphere", 100, {}, {}};
     chart.methods.push_back({"facet", 80.0, 500, 1e-3, 5e-3, 2e-3, 0.25, false, true});
     chart.methods.push_back({"exact", 20.0, 500, 0.0, 0.0, 0.0, 0.0, true, true});
     std::string const csv = chart_csv(chart), head = csv.substr(0, csv.find('\n'));
