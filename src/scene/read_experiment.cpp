@@ -96,11 +96,7 @@ Experiment read_experiment(Value const& tree, std::filesystem::path const& file)
     experiment.detectors = read_detectors(tables_in(tree, "detector"), groups);
     experiment.media = media.media();
 
-    bool const a_model_may_have_a_camera =
-        std::any_of(experiment.objects.begin(), experiment.objects.end(), [](ObjectSpec const& object) {
-            return std::holds_alternative<ModelReference>(object.what);
-        });
-    if (!experiment.picture->camera && !a_model_may_have_a_camera)
+    if (experiment.objects.empty() && !experiment.picture->camera)
         need_sources(experiment);
     check_names(experiment);
     std::vector<double> const wavelengths = all_wavelengths(experiment.sources);

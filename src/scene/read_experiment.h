@@ -29,7 +29,7 @@ void set_key_from_text(Value& experiment, std::string_view assignment);
 /// …
 Experiment read_experiment(Value const& tree, std::filesystem::path const& file);
 
-/// Throws InputError where there is no source of light: a picture does without.
+/// Throws InputError where there is no source of light: a picture and an export do without.
 void need_sources(Experiment const& experiment);
 
 } // namespace sahl

@@ -205,6 +205,16 @@ TEST_CASE("light goes through an exported ball as through the ball, the nearer t
     CHECK(by_fine < 1e-3 * exact);
 }
 
+TEST_CASE("shapes are exported without a source of light", "[run]") {
+    TemporaryFolder const folder("export-dark");
+    fs::path const file = folder.path / "ball.glb";
+    export_model(load_experiment(folder.write("ball.toml", "[medium]\nglass = {n = 1.5}\n[[object]]\nname = "
+                                                           "\"ball\"\nshape = {sphere = {radius_mm = 5}}\n"
+                                                           "medium = \"glass\"\n")),
+                 24, file);
+    CHECK(fs::file_size(file) > 1000);
+}
+
 TEST_CASE("what cannot be exported is said, and nothing is written", "[run]") {
     TemporaryFolder const folder("export-not");
     auto const message = [&](std::string const& object, unsigned turn) -> std::string {
