@@ -28,7 +28,6 @@ PatchKind patch_kind(Curving curving) {
 Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std::make_unique<State>()) {
     MeshStore own; // instances share what is made of a mesh
     MeshStore& made = store ? *store : own;
-    std::map<std::pair<Mesh const*, Curving>, std::shared_ptr<CurvedTree const>> curved;
     std::map<std::pair<Mesh const*, Curving>, std::shared_ptr<CurvedSheet const>> curved_sheets;
     auto const meeting = [&](PlacedGeometry const& geometry) {
         MeshMeeting by;
@@ -37,12 +36,8 @@ Bvh::Bvh(std::vector<PlacedGeometry> geometries, MeshStore* store) : state_(std:
             by.sheet = made.sheet(*mesh);
         else if (mesh && geometry.curving == Curving::none)
             by.tree = made.tree(*mesh);
-        else if (mesh) {
-            auto& one = curved[{mesh->get(), geometry.curving}];
-            if (!one)
-                one = std::make_shared<CurvedTree const>(*mesh, patch_kind(geometry.curving));
-            by.curved = one;
-        }
+        else if (mesh)
+            by.curved = made.curved(*mesh, patch_kind(geometry.curving));
         return by;
     };
     for (PlacedGeometry& geometry : geometries) {

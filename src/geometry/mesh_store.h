@@ -1,6 +1,7 @@
 // In: meshes that several scenes share. Out: what is made of each to trace it and to report on it, made once.
 #pragma once
 
+#include "geometry/curved_tree.h"
 #include "geometry/mesh_health.h"
 #include "geometry/mesh_sheet.h"
 #include "geometry/mesh_tree.h"
@@ -28,6 +29,13 @@ class MeshStore {
             entry.sheet = std::make_shared<MeshSheet const>(mesh);
         return entry.sheet;
     }
+    std::shared_ptr<CurvedTree const> curved(std::shared_ptr<Mesh const> const& mesh, PatchKind kind) {
+        std::scoped_lock const lock(mutex_);
+        auto& curved = entry_of(mesh).curved[kind];
+        if (!curved)
+            curved = std::make_shared<CurvedTree const>(mesh, kind);
+        return curved;
+    }
     /// As health_of(), without a search for intersections.
     std::shared_ptr<MeshHealth const> health(std::shared_ptr<Mesh const> const& mesh) {
         std::scoped_lock const lock(mutex_);
@@ -47,6 +55,7 @@ class MeshStore {
         std::shared_ptr<Mesh const> mesh; // so that no other mesh has its address
         std::shared_ptr<MeshTree const> tree{};
         std::shared_ptr<MeshSheet const> sheet{};
+        std::map<PatchKind, std::shared_ptr<CurvedTree const>> curved{};
         std::shared_ptr<MeshHealth const> health{};
     };
     Entry& entry_of(std::shared_ptr<Mesh const> const& mesh) {

@@ -95,7 +95,7 @@ MethodChoice choose_methods(Scene& scene, WavelengthTable const& optics, Emissio
             judge.methods()[body] = body_method(choice.bodies[body].method);
             scene.bodies[body].method = choice.bodies[body].method;
         }
-    scene.bvh = bvh_with(scene, judge.methods());
+    scene.bvh = judge.met();
     return choice;
 }
 

@@ -62,7 +62,7 @@ std::optional<Trees> MethodPilots::trees(std::vector<std::size_t> const& bodies,
     std::vector<BodyMethod> methods = base_;
     for (std::size_t const body : bodies)
         methods[body] = method;
-    scene_.bvh = bvh_with(scene_, methods);
+    scene_.bvh = bvh_with(scene_, methods, &store_);
     if (is_recognition(method.curving))
         for (std::size_t const body : bodies)
             if (scene_.bvh->curving(static_cast<std::uint32_t>(body)) == Curving::fitted)
@@ -167,6 +167,8 @@ std::vector<MethodLevel> MethodPilots::levels_with(std::vector<std::size_t> cons
     for (Method const method : by_triangle)
         add(method);
     swap_meshes(bodies, others);
+    for (auto const& mesh : meshes) // they are but tried
+        store_.forget(mesh.get());
     return levels;
 }
 
@@ -196,8 +198,10 @@ double MethodPilots::floor_of(std::vector<std::size_t> const& bodies) {
         scene_.bodies[body].mesh = std::make_shared<Mesh const>(shaken(*kept.back()));
     }
     Trees const moved = *trees(bodies, fitted);
-    for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        store_.forget(scene_.bodies[bodies[i]].mesh.get());
         scene_.bodies[bodies[i]].mesh = kept[i];
+    }
     return compare_paths(given, moved, true).rms / shaken_by;
 }
 

@@ -2,6 +2,7 @@
 // directions, by pilot rays.
 #pragma once
 
+#include "geometry/mesh_store.h"
 #include "run/path_errors.h"
 #include "scene/scene_methods.h"
 
@@ -50,6 +51,8 @@ class MethodPilots {
     double floor_of(std::vector<std::size_t> const& bodies);
     /// By body; to be changed when a choice is made.
     std::vector<BodyMethod>& methods() { return base_; }
+    /// The scene's geometry, met so.
+    std::unique_ptr<Bvh const> met() { return bvh_with(scene_, base_, &store_); }
 
   private:
     std::optional<Trees> trees(std::vector<std::size_t> const& bodies, BodyMethod method);
@@ -63,6 +66,7 @@ class MethodPilots {
     std::vector<std::uint64_t> rays_;
     std::vector<BodyMethod> base_;
     std::vector<bool> curved_;
+    MeshStore store_; // what is made of meshes: most methods need the same of them
 };
 
 /// Bodies that are closed meshes, or open ones without an inside that touch nothing.

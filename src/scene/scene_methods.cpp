@@ -13,7 +13,8 @@ char const* name_of(Method method) {
     return names[static_cast<std::size_t>(method)];
 }
 
-std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod const> methods) {
+std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod const> methods,
+                                    MeshStore* store) {
     std::vector<PlacedGeometry> geometries;
     FaceId face{0};
     ShellId shell{0};
@@ -36,7 +37,7 @@ std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod con
         shell.value += static_cast<std::uint32_t>(shells);
         geometries.push_back(std::move(placed));
     }
-    return std::make_unique<Bvh const>(std::move(geometries));
+    return std::make_unique<Bvh const>(std::move(geometries), store);
 }
 
 } // namespace sahl

@@ -14,7 +14,9 @@ struct BodyMethod {
 };
 
 /// As build_scene made it, with other methods; by body, those without a mesh as they are.
-std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod const> methods);
+///   store   as Bvh has it
+std::unique_ptr<Bvh const> bvh_with(Scene const& scene, std::span<BodyMethod const> methods,
+                                    MeshStore* store = nullptr);
 
 BodyMethod body_method(Method method);
 
