@@ -95,12 +95,7 @@ TEST_CASE("a run killed at fifty moments goes on to the same bytes each time", "
 TEST_CASE("a run that goes on does not trace the rays of closed shards again", "[run][resume]") {
     Workshop const workshop(2 * few);
     REQUIRE(workshop.kill_one(7, 0));
-    RunOptions options;
-    options.out = workshop.out;
-    options.resume = true;
-    std::optional<std::uint64_t> first;
-    options.progress = [&](std::uint64_t done, std::uint64_t) { first = first.value_or(done); };
-    run_experiment(load_experiment(workshop.experiment), options);
+    auto const first = workshop.go_on();
     REQUIRE(first);
     CHECK(*first > 4096); // a batch fills three shards: the first is long in the log
 }

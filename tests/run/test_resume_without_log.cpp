@@ -58,12 +58,7 @@ TEST_CASE("a run without a log that was killed goes on from what it knew, to the
     fs::path const known = killed.partial / unfinished_folder / "known.bin";
     REQUIRE(killed.kill_when([&] { return fs::exists(known); }, 0, often));
     SECTION("from what it knew") {
-        RunOptions options;
-        options.out = killed.out;
-        options.resume = true;
-        std::optional<std::uint64_t> first;
-        options.progress = [&](std::uint64_t done, std::uint64_t) { first = first.value_or(done); };
-        run_experiment(load_experiment(killed.experiment), options);
+        auto const first = killed.go_on();
         REQUIRE(first);
         CHECK(*first > 4096); // a batch had been done and kept before
     }
@@ -108,13 +103,7 @@ TEST_CASE("a run that is told to stop keeps all that it has done, and goes on to
         CHECK(was.kept == stopped.partial);
     }
     CHECK_FALSE(fs::exists(stopped.out));
-    RunOptions again;
-    again.out = stopped.out;
-    again.resume = true;
-    std::optional<std::uint64_t> first;
-    again.progress = [&](std::uint64_t done, std::uint64_t) { first = first.value_or(done); };
-    run_experiment(load_experiment(stopped.experiment), again);
-    CHECK(first == last + 4096); // the next batch after those that were done
+    CHECK(stopped.go_on() == last + 4096); // the next batch after those that were done
     CHECK((results_in(stopped.out) == results_in(reference.out)));
 }
 

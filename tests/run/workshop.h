@@ -1,6 +1,7 @@
 // In: an experiment. Out: runs of it that are killed and go on, and what they leave, to compare.
 #pragma once
 
+#include "run/run.h"
 #include "support/bench.h"
 #include "support/catch.h"
 
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -96,6 +98,16 @@ struct Workshop {
         std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
         ::kill(child, signal);
         return finish(child);
+    }
+    /// Goes on in this process; returns how many rays were known to be done before.
+    std::optional<std::uint64_t> go_on() const {
+        RunOptions options;
+        options.out = out;
+        options.resume = true;
+        std::optional<std::uint64_t> first;
+        options.progress = [&](std::uint64_t done, std::uint64_t) { first = first.value_or(done); };
+        run_experiment(load_experiment(experiment), options);
+        return first;
     }
     /// Once so many shards are closed.
     bool kill_one(int closed, long microseconds) const {
