@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::uint64_t pilots = 256; // of each source
 constexpr double margin = 2.0;        // for what 256 rays do not see of the worst
-// two ways to fit the same data share some of their error: of a tail that grows less, of what errs alike over
-// all of a coarse mesh more
-constexpr double margin_of_finest_tail = 3.4, margin_of_finest = 7.0;
-// if a single number errs, and all ways to halve by chance tell it too small: once in a thousand scenes
-constexpr double margin_of_halves = 2.0;
+// two ways to fit the same data share some of their error, and over all of a coarse mesh they err alike
+constexpr double margin_of_finest = 3.5, margin_of_coarse = 7.0;
+constexpr std::size_t coarse = 1000; // triangles
+// if a single number errs, and all ways to halve by chance tell it too small: once in five hundred scenes
+constexpr double margin_of_halves = 1.8;
 constexpr double rounding = 1e-12; // rad: of directions in double, with all that a path may make of it
 
 constexpr std::size_t most_apart = 6; // groups that are judged one by one
@@ -85,8 +85,12 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
     PathErrors apart;
     if (fits) {
         apart = compare_paths(fitted, *trees(bodies, {false, fitted_apart}), true);
+        bool const is_coarse = std::any_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
+            return scene_.bodies[body].mesh->soup.triangles.size() < coarse;
+        });
         of_fitted = reference_bound =
-            std::max(margin_of_finest_tail * apart.tail(), margin_of_finest * apart.greatest) + rounding;
+            std::max(margin_of_finest * apart.tail(), is_coarse ? margin_of_coarse * apart.greatest : 0.0) +
+            rounding;
         reference = &fitted;
     }
     if (whole) {
@@ -112,6 +116,8 @@ MethodLevels MethodPilots::levels(std::vector<std::size_t> const& bodies) {
                 // a surface that is nearly what it is held to be misleads all halves alike
                 if (of_fitted < bound)
                     bound = std::max(bound, from_fitted.tail() + of_fitted);
+                // and which of two surfaces that both go through all places is right, pilots cannot tell
+                of_fitted = reference_bound = std::max(of_fitted, margin * from_fitted.tail());
             }
             found.levels.push_back({Method::recognised, bound, 0.5 * halves->rms, changed});
             if (bound < of_fitted) {
