@@ -14,8 +14,6 @@ namespace sahl {
 
 namespace {
 
-using Made = std::optional<Mesh>;
-
 /// Gives each mesh that is made anew its new triangles: each once, by the largest of its instances.
 ///   within    m in the world
 ///   make      of a mesh and a tolerance in its own frame
@@ -30,7 +28,7 @@ std::vector<std::string> remake_meshes(Scene& scene, double within, Make&& make,
             stretch[body.mesh] = std::max(stretch[body.mesh], stretch_of(body.to_world));
     std::map<std::shared_ptr<Mesh const>, std::shared_ptr<Mesh const>> anew;
     for (auto const& [mesh, by] : stretch)
-        if (Made made = make(mesh, within / by))
+        if (std::optional<Mesh> made = make(mesh, within / by))
             anew[mesh] = std::make_shared<Mesh const>(std::move(*made));
     std::vector<std::string> lines;
     for (Body& body : scene.bodies) {
